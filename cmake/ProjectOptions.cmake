@@ -1,0 +1,21 @@
+# What every target of ours is compiled with.
+
+option(PAIRLIGHT_WARNINGS_AS_ERRORS "Stop at the first warning" OFF)
+option(PAIRLIGHT_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)   # target all_verify_interface_header_sets: every header compiles alone
+
+add_library(project_options INTERFACE)
+target_compile_options(project_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+    -ffp-contract=off   # the same sums on every processor, whether it can fuse multiply and add or not
+    $<$<BOOL:${PAIRLIGHT_WARNINGS_AS_ERRORS}>:-Werror>)
+if(PAIRLIGHT_SANITIZE)
+    target_compile_options(project_options INTERFACE
+        -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    target_link_options(project_options INTERFACE -fsanitize=address,undefined)
+endif()

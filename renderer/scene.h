@@ -1,0 +1,52 @@
+// What is drawn: matter, light and camera as values.  Conventions: docs/conventions.md#light
+#pragma once
+
+#include "renderer/units.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+namespace renderer {
+
+/// A translucent medium.  sigma_s is the reduced scattering coefficient sigma_s' = (1 - g) sigma_s.
+struct Medium {
+    RgbPerMillimetre sigma_a;
+    RgbPerMillimetre sigma_s_reduced;
+    double index = 1.3; ///< inside over outside
+};
+
+/// Effective transport coefficient sigma_tr = sqrt(3 sigma_a (sigma_a + sigma_s')), per channel.
+RgbPerMillimetre effective_transport(const Medium& medium);
+
+/// The Phong model's coefficients k, with the paper's fourth term: light that has come through
+/// (`scatter`).
+struct Reflectance {
+    LinearRgb ambient;
+    LinearRgb diffuse;
+    LinearRgb specular;
+    LinearRgb scatter;
+    float shininess = 32; ///< the exponent q
+};
+
+struct Material {
+    Medium medium;
+    Reflectance reflectance;
+};
+
+/// A directional light.  `intensity` is the paper's I_p: perpendicular irradiance E over pi.
+struct DirectionalLight {
+    glm::dvec3 to_light{0, 0, 1}; ///< unit vector from the surface toward the light, world space
+    LinearRgb intensity{1, 1, 1};
+};
+
+struct Camera {
+    glm::dmat4 view_from_world{1}; ///< right-handed: x right, y up, looking along -z
+    glm::dmat4 clip_from_view{1};  ///< OpenGL's clip space, depth -1..1
+};
+
+/// How the model stands in the world.  World units are millimetres.
+struct Placement {
+    glm::dmat4 world_from_model{1};
+};
+
+} // namespace renderer

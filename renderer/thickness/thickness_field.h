@@ -1,0 +1,66 @@
+// How much material lies between every vertex and the light, for every direction of light:
+// spherical-harmonic coefficients per vertex, found by ray tracing.  [SHSS, eqs. 1 and 2]
+#pragma once
+
+#include "renderer/expected.h"
+#include "renderer/geometry/mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace renderer::thickness {
+
+/// Which length along the ray counts.
+enum class Kind {
+    Sum,   ///< all interior segments: what the light has to pass (the paper's concave-object claim)
+    First, ///< the segment that starts at the vertex
+    Span   ///< from the vertex to the last exit, gaps counted
+};
+
+struct FieldOptions {
+    Kind kind = Kind::Sum;
+    int bands = 5;         ///< 1..6
+    int directions = 1024; ///< Fibonacci directions shared by all vertices
+    std::uint64_t rotation_seed = 1;
+};
+
+/// What the tracing met, over all rays.
+struct RayStatistics {
+    std::uint64_t rays = 0;
+    std::uint64_t retried = 0;   ///< crossings did not add up and the direction was jittered
+    std::uint64_t fallbacks = 0; ///< classified by winding number in the end
+};
+
+/// Coefficients of all vertices of one mesh.  Lengths in model units.
+struct ThicknessField {
+    int bands = 0;
+    std::vector<float> coefficients; ///< vertex-major: vertex v has coefficients[v*bands^2 ..)
+    std::vector<double> energy;      ///< per vertex: integral of d^2 over the sphere
+    double d_n = 0; ///< 99.5th percentile of the positive thickness, area and solid angle weighted
+    RayStatistics statistics;
+};
+
+using Progress = std::function<void(double fraction)>;
+
+/// Traces and projects the thickness at every vertex of a prepared (welded, oriented) mesh.
+/// Deterministic: the result does not depend on the number of threads.
+/// Errors: a mesh that is not closed and consistently oriented; more than 1e-4 of the rays
+/// unresolved.
+Expected<ThicknessField> compute_thickness_field(const geometry::Mesh& mesh,
+                                                 const FieldOptions& options,
+                                                 const Progress& progress = {});
+
+/// Eq. 2: thickness of vertex `v` toward the light from the first `bands` bands, unclamped.
+/// `basis` holds y(L) of at least bands^2 elements.
+double
+reconstruct(const ThicknessField& field, std::size_t v, std::span<const double> basis, int bands);
+
+/// Exactly traced thickness of every vertex toward each unit direction, in model units.
+/// Shape: result[v * directions.size() + k].
+Expected<std::vector<double>>
+trace_thickness(const geometry::Mesh& mesh, Kind kind, std::span<const glm::dvec3> directions);
+
+} // namespace renderer::thickness

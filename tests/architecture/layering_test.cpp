@@ -1,0 +1,97 @@
+// Reads every #include of the four modules: arrows point one way, and each outside library has one
+// door.
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Include {
+    std::string file; // from the root
+    int line = 0;
+    std::string target;
+};
+
+std::string first_folder(const std::string& path) {
+    return path.substr(0, path.find('/'));
+}
+
+std::vector<Include> includes_below(const std::string& module) {
+    static const std::regex directive(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+    const fs::path root = PAIRLIGHT_SOURCE_DIR;
+    std::vector<Include> found;
+    for (const auto& entry : fs::recursive_directory_iterator(root / module)) {
+        const auto extension = entry.path().extension();
+        if (extension != ".h" && extension != ".cpp")
+            continue;
+        std::ifstream stream(entry.path());
+        std::string text;
+        for (int line = 1; std::getline(stream, text); ++line)
+            if (std::smatch match; std::regex_search(text, match, directive))
+                found.push_back({fs::relative(entry.path(), root).string(), line, match[1]});
+    }
+    return found;
+}
+
+const std::set<std::string> modules{"renderer", "protocols", "analysis", "experiment"};
+
+TEST(Layering, ArrowsPointOneWay) {
+    const std::map<std::string, std::set<std::string>> may_include{
+        {"renderer", {"renderer"}},
+        {"protocols", {"protocols"}},
+        {"analysis", {"analysis", "protocols"}},
+        {"experiment", {"experiment", "renderer", "protocols", "analysis"}}};
+    for (const auto& [module, allowed] : may_include) {
+        const auto includes = includes_below(module);
+        ASSERT_FALSE(includes.empty()) << module << ": no file was read";
+        for (const auto& include : includes) {
+            const auto target = first_folder(include.target);
+            EXPECT_TRUE(!modules.contains(target) || allowed.contains(target))
+                << include.file << ':' << include.line << " includes " << include.target;
+        }
+    }
+}
+
+// The libraries whose types stop at one folder's door, and the folder (or file) that is the door.
+TEST(Layering, EachOutsideLibraryHasOneDoor) {
+    const std::vector<std::pair<std::string, std::string>> doors{
+        {"embree3/", "renderer/geometry/"},
+        {"OpenImageIO/", "renderer/imaging/"},
+        {"epoxy/", "renderer/gpu/"},
+        {"tiny_obj_loader.h", "renderer/geometry/"},
+        {"tbb/", "renderer/"},
+        {"openssl/", "protocols/"},
+        {"toml++/", "protocols/"},
+        {"boost/multiprecision", "protocols/"},
+        {"Eigen/", "analysis/"},
+        {"boost/math", "analysis/numerics/"},
+        {"sqlite3.h", "experiment/store/"},
+        {"GLFW/", "experiment/session/"},
+        {"CLI/", "experiment/commands/"},
+    };
+    for (const auto& module : modules)
+        for (const auto& include : includes_below(module))
+            for (const auto& [library, door] : doors)
+                EXPECT_TRUE(!include.target.starts_with(library) || include.file.starts_with(door))
+                    << include.file << ':' << include.line << ": " << library << " belongs behind "
+                    << door;
+}
+
+// Headers stay light: what is slow to compile is included by .cpp files only.
+TEST(Layering, HeadersAreLight) {
+    const std::vector<std::string> heavy{"OpenImageIO/", "Eigen/", "boost/", "nlohmann/",
+                                         "toml++/",      "CLI/",   "tbb/",   "sqlite3.h"};
+    for (const auto& module : modules)
+        for (const auto& include : includes_below(module))
+            for (const auto& library : heavy)
+                EXPECT_FALSE(include.file.ends_with(".h") && include.target.starts_with(library))
+                    << include.file << ':' << include.line << " includes " << include.target;
+}
+
+} // namespace
