@@ -1,0 +1,18 @@
+// Remarks go to standard error, results to standard output.
+#include "experiment/commands/command.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+namespace experiment::commands {
+
+void Voice::remark(const std::string& text) const {
+    if (!quiet)
+        fmt::print(stderr, "{}\n", text);
+}
+
+void add_voice(CLI::App& command, Voice& voice) {
+    command.add_flag("-q,--quiet", voice.quiet, "Say nothing on the way: results and errors only");
+}
+
+} // namespace experiment::commands

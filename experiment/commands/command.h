@@ -1,0 +1,41 @@
+// What every command of the program shares: how it is added, how it fails, how it speaks.
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include <stdexcept>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace experiment::commands {
+
+/// What was asked could not be done; the message is for the person who asked.  Caught once, in
+/// main.
+class CommandError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The value, or the command ends with the message.
+template <class T>
+T value_or_stop(tl::expected<T, std::string> result) {
+    if (!result)
+        throw CommandError(result.error());
+    if constexpr (!std::is_void_v<T>)
+        return std::move(*result);
+}
+
+/// `--quiet`: no progress and no remarks, only results and errors.
+struct Voice {
+    bool quiet = false;
+
+    /// A remark on the way, to standard error.
+    void remark(const std::string& text) const;
+};
+
+/// Adds `--quiet` to `command`.
+void add_voice(CLI::App& command, Voice& voice);
+
+} // namespace experiment::commands
