@@ -12,6 +12,7 @@ set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)   # target all_verify_interface_heade
 add_library(project_options INTERFACE)
 target_compile_options(project_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+    -Wno-missing-field-initializers   # a designated initialiser leaves the rest at its defaults on purpose
     -ffp-contract=off   # the same sums on every processor, whether it can fuse multiply and add or not
     $<$<BOOL:${PAIRLIGHT_WARNINGS_AS_ERRORS}>:-Werror>)
 if(PAIRLIGHT_SANITIZE)

@@ -1,6 +1,8 @@
 // Remarks go to standard error, results to standard output.
 #include "experiment/commands/command.h"
 
+#include "experiment/text_files.h"
+
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 

@@ -1,0 +1,45 @@
+#include "experiment/stimuli/manifest.h"
+
+namespace {
+
+using namespace experiment::stimuli;
+
+Manifest two_pictures() {
+    Manifest manifest{"pairlight 0.1.0", "ab", {}};
+    auto& rendered = manifest.pictures[{{"bunny"}, {"back"}, {"shss-25"}}];
+    rendered = {.recipe = "r",
+                .renderer = "llvmpipe",
+                .dials = {{"bands", "5"}},
+                .png_sha256 = "cd",
+                .width = 8,
+                .height = 9};
+    rendered.model = {"bunny.obj", "ef", 34835, 69666};
+    rendered.brightness = {0.1, 0.2, 2.0, 0.001};
+    rendered.frame_milliseconds = 12.5;
+    manifest.pictures[{{"bunny"}, {""}, {"mine"}}] = {.recipe = "s",
+                                                      .renderer = "own image",
+                                                      .dials = {},
+                                                      .png_sha256 = "x",
+                                                      .width = 1,
+                                                      .height = 1};
+    return manifest;
+}
+
+TEST(Manifest, IsReadBackAsItWasWritten) {
+    const auto manifest = two_pictures();
+    const auto again = parse_manifest(manifest_json(manifest), "manifest.json");
+    ASSERT_TRUE(again) << again.error();
+    EXPECT_EQ(again->program, manifest.program);
+    EXPECT_EQ(again->study_sha256, manifest.study_sha256);
+    EXPECT_EQ(again->pictures, manifest.pictures);
+}
+
+TEST(Manifest, SaysWhichFileIsNotOne) {
+    EXPECT_THAT(parse_manifest("{", "m.json").error(),
+                testing::StartsWith("m.json: not a stimuli manifest"));
+    EXPECT_THAT(parse_manifest("{\"form\": 1}", "m.json").error(), testing::HasSubstr("program"));
+    EXPECT_THAT(parse_manifest("{\"form\": 7}", "m.json").error(),
+                testing::HasSubstr("form 7, expected 1"));
+}
+
+} // namespace
