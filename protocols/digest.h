@@ -1,0 +1,22 @@
+// SHA-256: names seeds and files by what is in them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace protocols {
+
+using Digest = std::array<std::uint8_t, 32>;
+
+/// The digest of bytes, or of a text's bytes as they are.
+Digest sha256(std::span<const std::byte> bytes);
+Digest sha256(std::string_view text);
+
+/// Two lower-case hexadecimal digits a byte.
+std::string hexadecimal(std::span<const std::uint8_t> bytes);
+
+} // namespace protocols
