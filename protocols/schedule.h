@@ -18,17 +18,25 @@ struct PlannedTrial {
 
 struct Schedule {
     std::vector<PlannedTrial> trials;
-    std::string generator;  ///< name of the random number generator
-    std::string order_seed; ///< hexadecimal; enough to draw the order again
-    std::string sides_seed;
+    std::string generator;    ///< name of the random number generator
+    std::string order_seed;   ///< hexadecimal; enough to draw the order again
+    std::string sides_seed;   ///< of an even session: that of the session whose sides it mirrors
     int equal_neighbours = 0; ///< main neighbours that share a scene: 0, or the unavoidable minimum
     std::string
         scene_rule; ///< "no two neighbours share a scene" or what had to be given up, in words
 };
 
 /// Draws the sitting number `session` (1-based) of `observer`.  Same arguments, same schedule, on
-/// every machine. Different sessions of one observer get different orders; session 2 mirrors the
-/// sides of session 1. Errors: a session number outside 1..plan.sessions; a study without pairs.
+/// every machine.
+///
+/// Main: all pairs at all pictures, `repetitions` times; neighbours of different scenes; a question
+/// asked again not within 3 trials; every condition as often left as right (to one), in each scene
+/// and overall.  Different sessions of one observer get different orders; an even session mirrors
+/// the sides of the one before it.
+/// Warm-ups: questions of the main part, none of its first 3, the last of another scene than its
+/// first.  Training: questions of the main part.  Where a small study permits less, `scene_rule`
+/// says so.
+/// Errors: a session number outside 1..plan.sessions; a study without pairs; a nameless observer.
 Expected<Schedule> make_schedule(const Study& study, const ObserverId& observer, int session);
 
 } // namespace protocols
