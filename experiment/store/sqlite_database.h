@@ -1,0 +1,64 @@
+// A SQLite file: statements in, rows out.  SQLite ends here.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+struct sqlite3;
+
+namespace experiment::store {
+
+/// What a column holds: nothing, an integer or a text.  The store needs no real numbers.
+using Value = std::variant<std::monostate, std::int64_t, std::string>;
+using Row = std::vector<Value>;
+
+/// One line for the person at the keyboard, with the file's name first.
+struct DatabaseError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+enum class WhenMissing { Fail, Create };
+
+/// An open database file.  Writing waits two seconds for other writers, and a committed transaction
+/// is on the disk (journal_mode DELETE, synchronous EXTRA: the journal's removal is synced, too).
+/// Every function throws DatabaseError.
+class SqliteDatabase {
+  public:
+    SqliteDatabase(std::filesystem::path file, WhenMissing when_missing);
+
+    /// Runs one statement, its `?` filled in order, and returns its rows.
+    std::vector<Row> query(const std::string& sql, const Row& parameters = {}) const;
+
+    /// Runs a text of any number of statements.
+    void execute(const std::string& sql);
+
+    /// Runs `work` between BEGIN IMMEDIATE and COMMIT; whatever it throws undoes all of it.
+    void in_transaction(const std::function<void()>& work);
+
+    /// A line about this file, to throw.
+    [[nodiscard]] DatabaseError complaint(const std::string& message) const;
+
+    bool is_read_only() const;
+
+  private:
+    struct Close {
+        void operator()(sqlite3* database) const;
+    };
+
+    [[nodiscard]] DatabaseError failure() const;
+
+    std::filesystem::path file_;
+    std::unique_ptr<sqlite3, Close> database_;
+};
+
+/// The columns of a row, when their type is known.  EXPECTS the type.
+std::int64_t integer_of(const Value& value);
+const std::string& text_of(const Value& value);
+
+} // namespace experiment::store

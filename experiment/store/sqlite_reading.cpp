@@ -1,0 +1,203 @@
+// Reading a vote store's SQLite file.
+#include "experiment/store/sqlite_reading.h"
+
+#include "experiment/store/row_chain.h"
+#include "experiment/store/sqlite_schema.h"
+#include "experiment/store/vote_store.h"
+#include "experiment/store/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace experiment::store {
+
+namespace {
+
+int small(const Value& value) {
+    return static_cast<int>(integer_of(value));
+}
+
+std::optional<std::string> optional_text(const Value& value) {
+    if (std::holds_alternative<std::monostate>(value))
+        return std::nullopt;
+    return text_of(value);
+}
+
+protocols::Choice choice(const SqliteDatabase& database, const Value& value) {
+    if (const auto found = choice_of(text_of(value)))
+        return *found;
+    throw database.complaint(fmt::format("holds the answer \"{}\", expected left, right or tie; "
+                                         "verify the store",
+                                         text_of(value)));
+}
+
+protocols::Phase phase(const SqliteDatabase& database, const Value& value) {
+    if (const auto found = phase_of(text_of(value)))
+        return *found;
+    throw database.complaint(fmt::format("holds the phase \"{}\", expected training, warmup or "
+                                         "main; verify the store",
+                                         text_of(value)));
+}
+
+SittingStart start_of(const Row& row) {
+    return {{{text_of(row[1])}, small(row[2])},
+            text_of(row[3]),
+            text_of(row[4]),
+            text_of(row[5]),
+            text_of(row[6]),
+            text_of(row[7]),
+            text_of(row[8]),
+            text_of(row[9]),
+            text_of(row[10]),
+            text_of(row[11]),
+            text_of(row[12]),
+            text_of(row[13]),
+            optional_text(row[14]),
+            optional_text(row[15])};
+}
+
+// Everything that lies on the chain, in the order it was written.
+std::vector<ChainedRow> chained_rows(const SqliteDatabase& database) {
+    std::vector<ChainedRow> rows;
+    for (const auto& table : chained_tables())
+        for (auto& row : database.query(fmt::format("SELECT * FROM {}", table))) {
+            ChainedRow chained{table, integer_of(row.front()), {}, text_of(row.back())};
+            chained.values.assign(row.begin() + 1, row.end() - 1);
+            rows.push_back(std::move(chained));
+        }
+    std::ranges::stable_sort(rows, {}, &ChainedRow::seq);
+    return rows;
+}
+
+// A query whose rows are sitting, session, observer, count: one finding each.
+void add_counts(std::vector<std::string>& findings,
+                const SqliteDatabase& database,
+                const std::string& sql,
+                const std::string& what) {
+    for (const auto& row : database.query(sql))
+        findings.push_back(fmt::format("session {} of observer {}: {} {}", integer_of(row[1]),
+                                       text_of(row[0]), integer_of(row[2]), what));
+}
+
+void add_contradictions(std::vector<std::string>& findings, const SqliteDatabase& database) {
+    add_counts(findings, database,
+               "SELECT observer, session, count(*) FROM finished JOIN sittings ON sittings.seq = "
+               "finished.sitting JOIN planned ON planned.sitting = sittings.seq LEFT JOIN votes ON "
+               "votes.sitting = planned.sitting AND votes.trial = planned.trial WHERE phase = "
+               "'main' AND votes.seq IS NULL GROUP BY sittings.seq",
+               "main trial(s) have no vote though the session is finished");
+    add_counts(findings, database,
+               "SELECT observer, session, count(*) FROM votes JOIN sittings ON sittings.seq = "
+               "votes.sitting LEFT JOIN shown ON shown.sitting = votes.sitting AND shown.trial = "
+               "votes.trial WHERE shown.seq IS NULL GROUP BY sittings.seq",
+               "vote(s) for trials that were never recorded as shown");
+    add_counts(findings, database,
+               "SELECT observer, session, count(*) FROM votes JOIN sittings ON sittings.seq = "
+               "votes.sitting LEFT JOIN planned ON planned.sitting = votes.sitting AND "
+               "planned.trial = votes.trial WHERE phase IS NULL OR phase <> 'main' GROUP BY "
+               "sittings.seq",
+               "vote(s) for trials that are not main trials");
+    for (const auto& summary : read_summaries(database)) {
+        const auto sitting = read_sitting(database, summary.key);
+        if (plan_digest(sitting->plan) != sitting->start.plan_sha256)
+            findings.push_back(fmt::format("session {} of observer {}: the plan is not the one the "
+                                           "session began with",
+                                           summary.key.session, summary.key.observer.value));
+    }
+}
+
+} // namespace
+
+StudyIdentity read_study(const SqliteDatabase& database) {
+    const auto rows = database.query("SELECT id, file_sha256 FROM study");
+    if (rows.size() != 1)
+        throw database.complaint(fmt::format("names {} studies, expected one; verify the store",
+                                             rows.size()));
+    return {text_of(rows[0][0]), text_of(rows[0][1])};
+}
+
+std::vector<protocols::ObserverId> read_observers(const SqliteDatabase& database) {
+    std::vector<protocols::ObserverId> observers;
+    for (const auto& row : database.query("SELECT observer FROM observers ORDER BY seq"))
+        observers.push_back({text_of(row[0])});
+    return observers;
+}
+
+std::vector<SittingSummary> read_summaries(const SqliteDatabase& database) {
+    std::vector<SittingSummary> summaries;
+    for (const auto& row :
+         database.query("SELECT sittings.*, finished.utc, (SELECT count(*) FROM votes WHERE sitting "
+                        "= sittings.seq) FROM sittings LEFT JOIN finished ON finished.sitting = "
+                        "sittings.seq ORDER BY sittings.seq")) {
+        const auto start = start_of(row);
+        summaries.push_back({start.key, start.local_date, start.started_utc, start.study_sha256,
+                             start.renderer, start.display, start.timing_grade, start.simulation,
+                             start.override_reason, optional_text(row[17]), small(row[18])});
+    }
+    return summaries;
+}
+
+std::optional<Sitting> read_sitting(const SqliteDatabase& database, const SittingKey& key) {
+    const auto headers =
+        database.query("SELECT sittings.*, finished.utc FROM sittings LEFT JOIN finished ON "
+                       "finished.sitting = sittings.seq WHERE observer = ? AND session = ?",
+                       {key.observer.value, std::int64_t{key.session}});
+    if (headers.empty())
+        return std::nullopt;
+    const Row number{headers[0][0]};
+    Sitting sitting{start_of(headers[0]), {}, {}, {}, {}, optional_text(headers[0][17])};
+    for (const auto& row :
+         database.query("SELECT * FROM planned WHERE sitting = ? ORDER BY trial", number))
+        sitting.plan.push_back({small(row[2]),
+                                phase(database, row[3]),
+                                {{text_of(row[4])},
+                                 {text_of(row[5])},
+                                 {text_of(row[6])},
+                                 {text_of(row[7])}}});
+    for (const auto& row :
+         database.query("SELECT * FROM shown WHERE sitting = ? ORDER BY seq", number))
+        sitting.shown.push_back({small(row[2]), small(row[3]), integer_of(row[4]), text_of(row[5]),
+                                 text_of(row[6]), integer_of(row[7]), integer_of(row[8])});
+    for (const auto& row :
+         database.query("SELECT * FROM votes WHERE sitting = ? ORDER BY seq", number))
+        sitting.votes.push_back({small(row[2]), choice(database, row[3]),
+                                 std::chrono::milliseconds(integer_of(row[4])), integer_of(row[5]),
+                                 integer_of(row[6]), text_of(row[7]), text_of(row[8]),
+                                 text_of(row[9]), small(row[10]), integer_of(row[11]) == 1});
+    for (const auto& row :
+         database.query("SELECT * FROM events WHERE sitting = ? ORDER BY seq", number))
+        sitting.events.push_back(
+            {text_of(row[2]), text_of(row[3]), integer_of(row[4]), text_of(row[5])});
+    return sitting;
+}
+
+std::vector<VoteRow> read_votes(const SqliteDatabase& database) {
+    std::vector<VoteRow> votes;
+    for (const auto& row : database.query("SELECT * FROM long_votes"))
+        votes.push_back({text_of(row[0]),
+                         {text_of(row[1])},
+                         small(row[2]),
+                         small(row[3]),
+                         {{text_of(row[4])}, {text_of(row[5])}, {text_of(row[6])}, {text_of(row[7])}},
+                         choice(database, row[8]),
+                         std::chrono::milliseconds(integer_of(row[9])),
+                         text_of(row[10]),
+                         integer_of(row[11]) == 1});
+    return votes;
+}
+
+std::vector<std::string> read_findings(const SqliteDatabase& database) {
+    std::vector<std::string> findings;
+    for (const auto& row : database.query("PRAGMA integrity_check"))
+        if (text_of(row[0]) != "ok")
+            findings.push_back("the file is damaged: " + text_of(row[0]));
+    const auto head = database.query("SELECT seq, digest FROM head WHERE one = 1").at(0);
+    const auto broken =
+        chain_findings(chained_rows(database), integer_of(head[0]), text_of(head[1]));
+    findings.insert(findings.end(), broken.begin(), broken.end());
+    add_contradictions(findings, database);
+    return findings;
+}
+
+} // namespace experiment::store

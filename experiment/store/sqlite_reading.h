@@ -1,0 +1,22 @@
+// Reading a vote store's SQLite file: rows to values.  Everything throws DatabaseError.
+#pragma once
+
+#include "experiment/store/records.h"
+#include "experiment/store/sqlite_database.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace experiment::store {
+
+StudyIdentity read_study(const SqliteDatabase& database);
+std::vector<protocols::ObserverId> read_observers(const SqliteDatabase& database);
+std::vector<SittingSummary> read_summaries(const SqliteDatabase& database);
+std::optional<Sitting> read_sitting(const SqliteDatabase& database, const SittingKey& key);
+std::vector<VoteRow> read_votes(const SqliteDatabase& database);
+
+/// What `VoteStore::verify` says.
+std::vector<std::string> read_findings(const SqliteDatabase& database);
+
+} // namespace experiment::store

@@ -1,0 +1,343 @@
+// The vote store in one SQLite file: what may be written, and in which order.
+#include "experiment/store/sqlite_store.h"
+
+#include "experiment/store/row_chain.h"
+#include "experiment/store/sqlite_database.h"
+#include "experiment/store/sqlite_reading.h"
+#include "experiment/store/sqlite_schema.h"
+#include "experiment/store/words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace experiment::store {
+
+namespace {
+
+using protocols::ObserverId;
+using protocols::PlannedTrial;
+
+Value text_or_nothing(const std::optional<std::string>& text) {
+    return text ? Value(*text) : Value();
+}
+
+std::string word(auto enumerator) {
+    return std::string(word_of(enumerator));
+}
+
+bool is_pseudonym(const std::string& id) {
+    return !id.empty() && id.size() <= 32 && std::ranges::all_of(id, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '-' || c == '_';
+    });
+}
+
+// Runs `work`; what the database throws becomes the error.
+template <class Work>
+auto attempt(Work work) -> Expected<decltype(work())> {
+    try {
+        if constexpr (std::is_void_v<decltype(work())>) {
+            work();
+            return {};
+        } else {
+            return work();
+        }
+    } catch (const DatabaseError& error) {
+        return tl::unexpected(std::string(error.what()));
+    }
+}
+
+class SqliteStore final : public VoteStore {
+  public:
+    explicit SqliteStore(SqliteDatabase database) : database_(std::move(database)) {}
+
+    /// Throws when this is no vote store, or one of another version.
+    void check_format() const {
+        const auto found_id = integer_of(database_.query("PRAGMA application_id")[0][0]);
+        const auto version = integer_of(database_.query("PRAGMA user_version")[0][0]);
+        if (found_id != application_id)
+            throw database_.complaint("is not a vote store of this program; expected the "
+                                      "votes.sqlite of a study, or no file");
+        if (version != schema_version)
+            throw database_.complaint(fmt::format("has schema version {}, expected {}; use the "
+                                                  "version of this program that wrote it",
+                                                  version, schema_version));
+        database_.query("SELECT seq, digest FROM head WHERE one = 1").at(0);
+    }
+
+    void check_writable() {
+        if (database_.is_read_only())
+            throw database_.complaint("cannot be written: the file or its folder is read-only");
+        database_.in_transaction([&] { // a write that changes nothing, to learn it now
+            database_.query("UPDATE head SET seq = seq WHERE one = 1");
+        });
+    }
+
+    void make_schema(const StudyIdentity& study) {
+        database_.in_transaction([&] {
+            database_.execute(schema_sql());
+            append("study", {study.id, study.file_sha256});
+        });
+    }
+
+    void check_study(const StudyIdentity& wanted) const {
+        const auto found = read_study(database_);
+        if (found.id != wanted.id)
+            throw database_.complaint(fmt::format("holds the votes of study \"{}\", expected \"{}\"; "
+                                                  "give this study a folder of its own",
+                                                  found.id, wanted.id));
+    }
+
+    Expected<void> add_observer(const ObserverId& observer, const std::string& utc) override {
+        return attempt([&] {
+            if (!is_pseudonym(observer.value))
+                throw database_.complaint(fmt::format("observer \"{}\": expected a pseudonym of 1 "
+                                                      "to 32 letters, digits, '-' and '_'",
+                                                      observer.value));
+            database_.in_transaction([&] {
+                if (database_
+                        .query("SELECT 1 FROM observers WHERE observer = ?", {observer.value})
+                        .empty())
+                    append("observers", {observer.value, utc});
+            });
+        });
+    }
+
+    Expected<void> begin_sitting(const SittingStart& start,
+                                 std::span<const PlannedTrial> plan) override {
+        return attempt([&] {
+            database_.in_transaction([&] {
+                refuse_if_begun(start.key);
+                refuse_mixed_observer(start);
+                const auto sitting = append(
+                    "sittings",
+                    {start.key.observer.value, std::int64_t{start.key.session}, start.study_sha256,
+                     start.local_date, start.started_utc, start.generator, start.order_seed,
+                     start.sides_seed, start.scene_rule, start.plan_sha256, start.renderer,
+                     start.display, start.timing_grade, text_or_nothing(start.simulation),
+                     text_or_nothing(start.override_reason)});
+                for (const auto& [number, phase, trial] : plan)
+                    append("planned", {sitting, std::int64_t{number}, word(phase),
+                                       trial.scene.value, trial.variant.value, trial.left.value,
+                                       trial.right.value});
+            });
+        });
+    }
+
+    Expected<void> append_shown(const SittingKey& key, const Shown& shown) override {
+        return attempt([&] {
+            database_.in_transaction([&] {
+                const auto sitting = open_sitting(key);
+                phase_of_trial(key, sitting, shown.trial);
+                append("shown", {sitting, std::int64_t{shown.trial},
+                                 std::int64_t{shown.presentation}, shown.onset_ns,
+                                 shown.onset_source, shown.onset_utc, shown.grey_ns,
+                                 shown.extra_ns});
+            });
+        });
+    }
+
+    Expected<void> append_vote(const SittingKey& key, const MainVote& vote) override {
+        return attempt([&] {
+            database_.in_transaction([&] {
+                const auto sitting = open_sitting(key);
+                refuse_vote(key, sitting, vote.trial);
+                append("votes", {sitting, std::int64_t{vote.trial}, word(vote.chosen),
+                                 std::int64_t{vote.response_time.count()}, vote.onset_ns,
+                                 vote.key_ns, vote.onset_utc, vote.device, vote.key_name,
+                                 std::int64_t{vote.early_keys}, std::int64_t{vote.held_key}});
+            });
+        });
+    }
+
+    Expected<void> append_event(const SittingKey& key, const SittingEvent& event) override {
+        return attempt([&] {
+            database_.in_transaction([&] {
+                const auto sitting = open_sitting(key);
+                append("events", {sitting, event.kind, event.detail, event.at_ns, event.utc});
+            });
+        });
+    }
+
+    Expected<void> finish_sitting(const SittingKey& key, const std::string& utc) override {
+        return attempt([&] {
+            database_.in_transaction([&] {
+                const auto sitting = open_sitting(key);
+                const auto open = database_.query(
+                    "SELECT trial FROM planned WHERE sitting = ? AND phase = 'main' AND trial NOT "
+                    "IN (SELECT trial FROM votes WHERE sitting = planned.sitting) ORDER BY trial",
+                    {sitting});
+                if (!open.empty())
+                    throw complaint(key, fmt::format("cannot be finished: {} main trial(s) have no "
+                                                     "vote, the first is number {}",
+                                                     open.size(), integer_of(open[0][0])));
+                append("finished", {sitting, utc});
+            });
+        });
+    }
+
+    Expected<StudyIdentity> study() const override {
+        return attempt([&] { return read_study(database_); });
+    }
+
+    Expected<std::vector<ObserverId>> observers() const override {
+        return attempt([&] { return read_observers(database_); });
+    }
+
+    Expected<std::vector<SittingSummary>> sittings() const override {
+        return attempt([&] { return read_summaries(database_); });
+    }
+
+    Expected<std::optional<Sitting>> sitting(const SittingKey& key) const override {
+        return attempt([&] { return read_sitting(database_, key); });
+    }
+
+    Expected<std::vector<VoteRow>> votes() const override {
+        return attempt([&] { return read_votes(database_); });
+    }
+
+    Expected<std::vector<std::string>> verify() const override {
+        return attempt([&] { return read_findings(database_); });
+    }
+
+  private:
+    // Appends one row to the chain, inside a transaction; returns its number.
+    std::int64_t append(const std::string& table, Row values) {
+        const auto head = database_.query("SELECT seq, digest FROM head WHERE one = 1").at(0);
+        const ChainedRow row{table, integer_of(head[0]) + 1, std::move(values), {}};
+        const auto digest = row_digest(text_of(head[1]), row);
+        Row stored{row.seq};
+        stored.insert(stored.end(), row.values.begin(), row.values.end());
+        stored.emplace_back(digest);
+        std::string sql = fmt::format("INSERT INTO {} VALUES (?", table);
+        for (std::size_t i = 1; i < stored.size(); ++i)
+            sql += ", ?";
+        database_.query(sql + ")", stored);
+        database_.query("UPDATE head SET seq = ?, digest = ? WHERE one = 1", {row.seq, digest});
+        return row.seq;
+    }
+
+    DatabaseError complaint(const SittingKey& key, const std::string& message) const {
+        return database_.complaint(
+            fmt::format("session {} of observer {} {}", key.session, key.observer.value, message));
+    }
+
+    std::vector<Row> find(const SittingKey& key) const {
+        return database_.query("SELECT sittings.seq, local_date, finished.utc FROM sittings LEFT "
+                               "JOIN finished ON finished.sitting = sittings.seq WHERE observer = "
+                               "? AND session = ?",
+                               {key.observer.value, std::int64_t{key.session}});
+    }
+
+    void refuse_if_begun(const SittingKey& key) const {
+        const auto found = find(key);
+        if (found.empty())
+            return;
+        if (std::holds_alternative<std::string>(found[0][2]))
+            throw complaint(key, fmt::format("is finished (begun on {}); its votes stand, expected "
+                                             "another session number",
+                                             text_of(found[0][1])));
+        throw complaint(key, fmt::format("was begun on {} and is not finished; expected to go on "
+                                         "with it",
+                                         text_of(found[0][1])));
+    }
+
+    void refuse_mixed_observer(const SittingStart& start) const {
+        const auto found = database_.query("SELECT session FROM sittings WHERE observer = ? AND "
+                                           "(simulation IS NOT NULL) <> ?",
+                                           {start.key.observer.value,
+                                            std::int64_t{start.simulation.has_value()}});
+        if (!found.empty())
+            throw complaint(
+                start.key,
+                fmt::format("would be {}, but session {} was {}; expected another observer",
+                            start.simulation ? "simulated" : "a person's", integer_of(found[0][0]),
+                            start.simulation ? "a person's" : "simulated"));
+    }
+
+    // The number of a sitting that may still be written to.
+    std::int64_t open_sitting(const SittingKey& key) const {
+        const auto found = find(key);
+        if (found.empty())
+            throw complaint(key, "was never begun");
+        if (std::holds_alternative<std::string>(found[0][2]))
+            throw complaint(key, "is finished; nothing can be added to it");
+        return integer_of(found[0][0]);
+    }
+
+    std::string
+    phase_of_trial(const SittingKey& key, std::int64_t sitting, std::int64_t trial) const {
+        const auto found =
+            database_.query("SELECT phase FROM planned WHERE sitting = ? AND trial = ?",
+                            {sitting, trial});
+        if (found.empty())
+            throw complaint(key, fmt::format("has no trial {} in its plan", trial));
+        return text_of(found[0][0]);
+    }
+
+    void refuse_vote(const SittingKey& key, std::int64_t sitting, std::int64_t trial) const {
+        const auto has = [&](const char* table) {
+            return !database_
+                        .query(fmt::format("SELECT 1 FROM {} WHERE sitting = ? AND trial = ?",
+                                           table),
+                               {sitting, trial})
+                        .empty();
+        };
+        const auto phase = phase_of_trial(key, sitting, trial);
+        if (phase != word_of(protocols::Phase::Main))
+            throw complaint(key, fmt::format("cannot keep a vote for trial {}, which is {}", trial,
+                                             phase));
+        if (!has("shown"))
+            throw complaint(key, fmt::format("cannot keep a vote for trial {}, which was not "
+                                             "recorded as shown",
+                                             trial));
+        if (has("votes"))
+            throw complaint(key, fmt::format("has a vote for trial {} already", trial));
+    }
+
+    SqliteDatabase database_;
+};
+
+Expected<std::unique_ptr<VoteStore>> opened(const std::filesystem::path& file,
+                                            WhenMissing when_missing,
+                                            const std::function<void(SqliteStore&)>& prepare) {
+    return attempt([&]() -> std::unique_ptr<VoteStore> {
+        auto store = std::make_unique<SqliteStore>(SqliteDatabase(file, when_missing));
+        prepare(*store);
+        return store;
+    });
+}
+
+} // namespace
+
+Expected<std::unique_ptr<VoteStore>> open_votes(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        return tl::unexpected(fmt::format("{}: there is no such file; expected the votes of at "
+                                          "least one session",
+                                          file.string()));
+    return opened(file, WhenMissing::Fail, [](SqliteStore& store) { store.check_format(); });
+}
+
+Expected<std::unique_ptr<VoteStore>> open_or_create_votes(const std::filesystem::path& file,
+                                                          const StudyIdentity& study) {
+    std::error_code ignored;
+    const bool is_there = std::filesystem::exists(file, ignored);
+    if (is_there && std::filesystem::file_size(file, ignored) == 0)
+        return tl::unexpected(fmt::format("{}: the file is empty; expected a vote store or no file "
+                                          "(restore it from a copy, or remove it if it never held "
+                                          "a vote)",
+                                          file.string()));
+    return opened(file, is_there ? WhenMissing::Fail : WhenMissing::Create,
+                  [&](SqliteStore& store) {
+                      if (!is_there)
+                          store.make_schema(study);
+                      store.check_format();
+                      store.check_writable();
+                      store.check_study(study);
+                  });
+}
+
+} // namespace experiment::store

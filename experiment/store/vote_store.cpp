@@ -1,0 +1,19 @@
+// What any vote store needs.
+#include "experiment/store/vote_store.h"
+
+#include "experiment/store/words.h"
+#include "protocols/digest.h"
+
+#include <fmt/format.h>
+
+namespace experiment::store {
+
+std::string plan_digest(std::span<const protocols::PlannedTrial> plan) {
+    std::string text;
+    for (const auto& [number, phase, trial] : plan)
+        text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", number, word_of(phase), trial.scene.value,
+                            trial.variant.value, trial.left.value, trial.right.value);
+    return protocols::hexadecimal(protocols::sha256(text));
+}
+
+} // namespace experiment::store
