@@ -1,0 +1,106 @@
+// Fibonacci and Gauss product rules over the sphere.
+#include "renderer/harmonics/directions.h"
+
+#include "renderer/contract.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace renderer::harmonics {
+
+namespace {
+
+using std::numbers::pi;
+
+/// The state moves on by the golden gamma; the result is its avalanche.  [SplitMix]
+std::uint64_t splitmix64(std::uint64_t& state) {
+    std::uint64_t z = state += 0x9e3779b97f4a7c15u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+/// Uniform in [0, 1), 53 bits.
+double uniform(std::uint64_t& state) {
+    return static_cast<double>(splitmix64(state) >> 11) * 0x1p-53;
+}
+
+/// Uniform over all rotations: a uniform point on the unit 3-sphere.  [Shoemake1992]
+glm::dquat random_rotation(std::uint64_t seed) {
+    std::uint64_t state = seed;
+    const double u = uniform(state), a = 2 * pi * uniform(state), b = 2 * pi * uniform(state);
+    const double p = std::sqrt(1 - u), q = std::sqrt(u);
+    return {q * std::cos(b), p * std::sin(a), p * std::cos(a), q * std::sin(b)};
+}
+
+glm::dvec3 from_z_and_longitude(double z, double longitude) {
+    const double r = std::sqrt(std::max(0.0, 1 - z * z));
+    return {r * std::cos(longitude), r * std::sin(longitude), z};
+}
+
+struct LegendreValue {
+    double p;          ///< P_n(x)
+    double derivative; ///< P_n'(x)
+};
+
+LegendreValue legendre(int n, double x) {
+    double before = 1, p = x;
+    for (int k = 2; k <= n; ++k) {
+        const double next = ((2 * k - 1) * x * p - (k - 1) * before) / k;
+        before = p;
+        p = next;
+    }
+    return {p, n * (before - x * p) / (1 - x * x)};
+}
+
+struct GaussNode {
+    double x, weight;
+};
+
+/// Roots of P_n by Newton's iteration from Tricomi's guess; five steps suffice, ten are taken.
+std::vector<GaussNode> gauss_legendre(int n) {
+    std::vector<GaussNode> nodes;
+    for (int i = 0; i < n; ++i) {
+        double x = std::cos(pi * (i + 0.75) / (n + 0.5));
+        for (int step = 0; step < 10; ++step) {
+            const auto [p, derivative] = legendre(n, x);
+            x -= p / derivative;
+        }
+        const double derivative = legendre(n, x).derivative;
+        nodes.push_back({x, 2 / ((1 - x * x) * derivative * derivative)});
+    }
+    return nodes;
+}
+
+} // namespace
+
+DirectionSet fibonacci_directions(int count, std::uint64_t rotation_seed) {
+    EXPECTS(count >= 1);
+    const glm::dquat rotation = random_rotation(rotation_seed);
+    DirectionSet set;
+    for (int i = 0; i < count; ++i) {
+        const double turns = i / std::numbers::phi;
+        const double longitude = 2 * pi * (turns - std::floor(turns));
+        const auto direction =
+            rotation * from_z_and_longitude(1 - (2.0 * i + 1) / count, longitude);
+        set.directions.push_back(glm::normalize(direction));
+        set.weights.push_back(4 * pi / count);
+    }
+    return set;
+}
+
+DirectionSet gauss_directions(int exact_degree) {
+    EXPECTS(exact_degree >= 0);
+    const int longitudes = exact_degree + 1;
+    DirectionSet set;
+    for (const auto& [x, weight] : gauss_legendre((exact_degree + 2) / 2))
+        for (int k = 0; k < longitudes; ++k) {
+            set.directions.push_back(from_z_and_longitude(x, 2 * pi * (k + 0.5) / longitudes));
+            set.weights.push_back(weight * 2 * pi / longitudes);
+        }
+    return set;
+}
+
+} // namespace renderer::harmonics
