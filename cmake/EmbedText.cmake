@@ -4,6 +4,7 @@
 # generated header <folder>/shss.vert.h, which is included from the root like any other.
 
 function(embed_text target namespace)
+    set(outputs "")
     foreach(file IN LISTS ARGN)
         cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE source)
         cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE relative)
@@ -18,6 +19,12 @@ function(embed_text target namespace)
             DEPENDS ${source} ${PROJECT_SOURCE_DIR}/cmake/EmbedOneText.cmake
             VERBATIM)
         target_sources(${target} PRIVATE ${generated}.cpp ${generated}.h)
+        list(APPEND outputs ${generated}.cpp ${generated}.h)
     endforeach()
+    # A custom command is known only where it is added; the target may have been made a folder above.
+    string(SHA1 tag "${target} ${outputs}")
+    string(SUBSTRING ${tag} 0 8 tag)
+    add_custom_target(embed_${target}_${tag} DEPENDS ${outputs})
+    add_dependencies(${target} embed_${target}_${tag})
     target_include_directories(${target} PRIVATE ${PROJECT_BINARY_DIR}/embedded)
 endfunction()

@@ -49,4 +49,13 @@ struct Placement {
     glm::dmat4 world_from_model{1};
 };
 
+/// One picture's worth of world around a model.
+struct Scene {
+    Placement placement;
+    Material material;
+    DirectionalLight light;
+    LinearRgb ambient{1, 1, 1}; ///< the paper's I_a, from everywhere
+    Camera camera;
+};
+
 } // namespace renderer

@@ -1,0 +1,10 @@
+// Phong's model without any transmitted light: what the other methods stand on.
+#pragma once
+
+#include "renderer/methods/method.h"
+
+namespace renderer::methods {
+
+Expected<std::unique_ptr<Method>> prepare_phong(std::shared_ptr<const Surface> surface);
+
+} // namespace renderer::methods

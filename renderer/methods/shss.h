@@ -1,0 +1,16 @@
+// Spherical-harmonics subsurface scattering: thickness toward any light from coefficients kept at
+// the vertices.  [SHSS]
+#pragma once
+
+#include "renderer/methods/method.h"
+
+namespace renderer::methods {
+
+/// Keeps the first `settings.bands` bands of `field` in vertex buffers.
+/// Errors: no field, one of another mesh, or one with fewer bands than asked for; bands outside
+/// 1..6.
+Expected<std::unique_ptr<Method>> prepare_shss(const ShssSettings& settings,
+                                               std::shared_ptr<const Surface> surface,
+                                               const thickness::ThicknessField* field);
+
+} // namespace renderer::methods
