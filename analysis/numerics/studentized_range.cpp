@@ -1,0 +1,339 @@
+// With n = k - 1, Phi and Q the normal tails and w the range of k standard normals:
+//   P(range > w) = k Int phi(z) { Q(z)^n - (Q(z) - Q(z + w))^n } dz
+//   P(range < w) = k Int phi(z) (Phi(z + w) - Phi(z))^n dz
+// and for a standard deviation s = e^u with nu degrees of freedom
+//   tail(q) = Int exp(c + nu (u - expm1(2u) / 2)) tail_infinite(q e^u) du.
+// Every integrand is smooth and falls off fast, so trapezoids converge geometrically; no sum has a
+// term of the other sign, so small tails keep their digits.  Steps were chosen by halving: 18 %
+// longer ones cost three digits.
+#include "analysis/numerics/studentized_range.h"
+
+#include "protocols/contract.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace analysis::numerics {
+namespace {
+
+using Real = long double; // for the outer sum: its exponents of some hundreds cost digits otherwise
+
+constexpr double inv_sqrt2 = std::numbers::sqrt2 / 2;
+constexpr double inv_sqrt2_rest = -4.833646656726457e-17;   // 1/sqrt2 minus its double
+constexpr double inv_sqrt_2pi = 0.398942280401432677939946; // 1/sqrt(2 pi)
+constexpr double negligible = 1e-17;
+constexpr int quiet_terms = 4; // as many negligible terms in a row end a sum
+
+// The largest w that the inner quadrature sees.  Beyond, the chance that two pairs exceed w is
+// exp(-w^2/12) = 1e-32 of that for one, and k (k - 1) Q(w / sqrt2), Bonferroni's bound, is exact.
+constexpr double largest_inner_w = 30;
+
+double density(double z) {
+    return inv_sqrt_2pi * std::exp(-z * z / 2);
+}
+
+// Q(z + w + w_rest).  erfc multiplies a rounding of its argument by z^2, so what the sum and the
+// product round away is given back to first order; Komatsu's bound on the slope is enough for that.
+double normal_tail(double z, double w, double w_rest) {
+    const double s = z + w;
+    const double back = s - z;
+    const double rest = (z - (s - back)) + (w - back) + w_rest;
+    const double x = s * inv_sqrt2;
+    const double tail = 0.5 * std::erfc(x);
+    if (x < 1)
+        return tail;
+    const double dx = std::fma(s, inv_sqrt2, -x) + s * inv_sqrt2_rest + rest * inv_sqrt2;
+    return tail * (1 - dx * (x + std::sqrt(x * x + 4 / std::numbers::pi)));
+}
+
+// a^n - (a - b)^n over a^n, with r = b / a: no cancellation.
+double power_gap(double r, double n) {
+    if (n > 12 || n != std::floor(n))
+        return r < 1 ? -std::expm1(n * std::log1p(-r)) : 1.0;
+    const double s = 1 - r;
+    double sum = 1;
+    for (double i = 1; i < n; ++i)
+        sum = 1 + s * sum;
+    return r * sum;
+}
+
+// Sums term(j) from `start` in both directions until the terms stay negligible.
+template <class Term>
+double sum_both_ways(int start, int first, int last, Term term) {
+    double sum = 0;
+    for (const int direction : {1, -1}) {
+        int quiet = 0;
+        for (int j = direction > 0 ? start : start - 1;
+             j >= first && j <= last && quiet < quiet_terms; j += direction) {
+            const double value = term(j);
+            sum += value;
+            quiet = value <= negligible * sum ? quiet + 1 : 0;
+        }
+    }
+    return sum;
+}
+
+// Range of k normals with known deviation; the grids in z serve every w.
+class InfiniteRange {
+  public:
+    InfiniteRange(double k, double step_scale)
+        : k_(k), n_(k - 1), upper_step_(step_scale * 0.61 / std::sqrt(k)),
+          lower_step_(step_scale * 0.38 / std::sqrt(k)) {}
+
+    Real log_upper(Real w) {
+        if (w > largest_inner_w)
+            return std::log(static_cast<Real>(k_) * n_ / 2) + log_erfc(w / 2);
+        return std::log(static_cast<Real>(upper(w)));
+    }
+
+    Real log_lower(Real w) {
+        if (w > 9)
+            return w > largest_inner_w ? -std::exp(log_upper(w))
+                                       : std::log1p(-static_cast<Real>(upper(w)));
+        return lower_log(static_cast<double>(w));
+    }
+
+  private:
+    struct Node {
+        double z, density, tail, weight; // weight = density Q(z)^n
+    };
+
+    static Real log_erfc(Real x) {
+        return x < 100 ? std::log(std::erfc(x))
+                       : log_normal_cdf(static_cast<double>(-x * std::numbers::sqrt2_v<Real>)) +
+                             std::numbers::ln2_v<Real>;
+    }
+
+    void lay_grid() {
+        first_ = static_cast<int>(std::floor(-(largest_inner_w / 2 + 10) / upper_step_));
+        const int last = static_cast<int>(std::ceil(12 / upper_step_));
+        for (int j = first_; j <= last; ++j) {
+            const double z = j * upper_step_, tail = normal_tail(z, 0, 0);
+            grid_.push_back({z, density(z), tail, density(z) * std::pow(tail, n_)});
+        }
+    }
+
+    double upper(Real w) {
+        if (grid_.empty())
+            lay_grid();
+        const auto whole = static_cast<double>(w);
+        const auto rest = static_cast<double>(w - static_cast<Real>(whole));
+        const int start = static_cast<int>(std::lround(-whole / 2 / upper_step_));
+        const int last = first_ + static_cast<int>(grid_.size()) - 1;
+        const double sum = sum_both_ways(start, first_, last, [&](int j) {
+            const Node& node = grid_[static_cast<std::size_t>(j - first_)];
+            return node.weight * power_gap(normal_tail(node.z, whole, rest) / node.tail, n_);
+        });
+        return std::min(1.0, k_ * upper_step_ * sum);
+    }
+
+    // Phi(z + w) - Phi(z)
+    static double normal_between(double z, double w) {
+        if (w < 1)
+            return short_normal_between(z + w / 2, w / 2);
+        if (z >= 0)
+            return normal_tail(z, 0, 0) - normal_tail(z, w, 0);
+        if (z + w <= 0)
+            return normal_tail(-z, -w, 0) - normal_tail(-z, 0, 0);
+        return (std::erf(-z * inv_sqrt2) + std::erf((z + w) * inv_sqrt2)) / 2;
+    }
+
+    // The same about its middle c: 2 d phi(c) sum He_2n(c) d^2n / (2n + 1)!, where a difference of
+    // tails would cancel.
+    static double short_normal_between(double c, double d) {
+        double sum = 1, factor = 1, before = 1, hermite = c; // He_(2n-2), He_(2n-1)
+        for (int m = 2, quiet = 0; quiet < 2; m += 2) {
+            before = c * hermite - (m - 1) * before; // He_m
+            hermite = c * before - m * hermite;      // He_(m+1)
+            factor *= d * d / (m * (m + 1.0));
+            sum += before * factor;
+            quiet = std::abs(before * factor) <= negligible * sum ? quiet + 1 : 0;
+        }
+        return 2 * d * density(c) * sum;
+    }
+
+    Real lower_log(double w) const {
+        const double h = lower_step_;
+        const double largest = normal_between(-w / 2, w);
+        const int reach = static_cast<int>(std::ceil(20 / h));
+        const int start = static_cast<int>(std::lround(-w / 2 / h));
+        const double sum = sum_both_ways(start, start - reach, start + reach, [&](int j) {
+            const double z = j * h;
+            return density(z) * std::pow(normal_between(z, w) / largest, n_);
+        });
+        return static_cast<Real>(n_) * std::log(static_cast<Real>(largest)) +
+               std::log(static_cast<Real>(k_) * h * sum);
+    }
+
+    double k_, n_, upper_step_, lower_step_;
+    int first_ = 0;
+    std::vector<Node> grid_;
+};
+
+// Sum of exponentials whose exponents may lie outside any floating format.
+class LogSum {
+  public:
+    /// False when the term was negligible.
+    bool add(Real exponent) {
+        if (exponent > peak_) {
+            sum_ *= std::exp(peak_ - exponent);
+            peak_ = exponent;
+        }
+        const Real term = std::exp(exponent - peak_);
+        sum_ += term;
+        return term > negligible * sum_;
+    }
+
+    Real log() const { return peak_ + std::log(sum_); }
+
+  private:
+    Real peak_ = -std::numeric_limits<Real>::infinity();
+    Real sum_ = 0;
+};
+
+// ln Gamma(x), x > 0, by Stirling's series beyond 20 and the recurrence below.
+Real log_gamma(Real x) {
+    Real product = 1;
+    for (; x < 20; ++x)
+        product *= x;
+    const Real y = 1 / (x * x);
+    const Real series =
+        (1.0L / 12 -
+         y * (1.0L / 360 -
+              y * (1.0L / 1260 -
+                   y * (1.0L / 1680 - y * (1.0L / 1188 - y * (691.0L / 360360 - y / 156)))))) /
+        x;
+    return (x - 0.5L) * std::log(x) - x + std::log(2 * std::numbers::pi_v<Real>) / 2 + series -
+           std::log(product);
+}
+
+// c of the density of u = ln s.  The plain form loses digits when nu is large: 2e-10 at 1e6.
+Real log_deviation_scale(Real nu) {
+    if (nu <= 80)
+        return std::numbers::ln2_v<Real> + nu / 2 * std::log(nu / 2) - log_gamma(nu / 2) - nu / 2;
+    const Real i = 1 / nu, i2 = i * i;
+    return std::log(nu / std::numbers::pi_v<Real>) / 2 -
+           i * (1.0L / 6 -
+                i2 * (1.0L / 45 - i2 * (8.0L / 315 - i2 * (8.0L / 105 - i2 * 128.0L / 297))));
+}
+
+// u - expm1(2u) / 2 = -(u^2 + 2 u^3 / 3 + ...): the difference would cancel near 0.
+Real deviation_exponent(Real u) {
+    if (std::abs(u) > 0.1L)
+        return u - std::expm1(2 * u) / 2;
+    Real term = u, sum = 0;
+    for (int m = 2; m < 30; ++m) {
+        term *= 2 * u / static_cast<Real>(m);
+        sum -= term;
+    }
+    return sum;
+}
+
+enum class Side { Lower, Upper };
+
+class StudentizedRange {
+  public:
+    StudentizedRange(double k, double df, double step_scale)
+        : k_(k), nu_(df), step_scale_(step_scale), range_(k, step_scale),
+          scale_(std::isinf(df) ? 0 : log_deviation_scale(df)) {}
+
+    Real log_tail(Side side, double q) {
+        const auto infinite = [&](Real w) {
+            return side == Side::Upper ? range_.log_upper(w) : range_.log_lower(w);
+        };
+        if (std::isinf(nu_))
+            return std::min<Real>(0, infinite(q));
+        const Real h = step_scale_ * step(side);
+        LogSum sum;
+        for (const int direction : {1, -1}) {
+            int quiet = 0;
+            for (int j = direction > 0 ? 0 : -1; quiet < quiet_terms; j += direction) {
+                const Real u = j * h;
+                const Real weight = nu_ * deviation_exponent(u);
+                quiet = sum.add(weight + infinite(q * std::exp(u))) ? 0 : quiet + 1;
+            }
+        }
+        return std::min<Real>(0, scale_ + std::log(h) + sum.log());
+    }
+
+  private:
+    // The integrand is about as wide in u as the deviation and the range allow: 1/sqrt(2 nu) for
+    // the one; for the other 1/sqrt(2 n) where tail(w) goes as w^n, and 1/ln k in its middle.
+    double step(Side side) const {
+        const double many = std::max(1.0, std::log(k_) / std::log(8.0));
+        if (side == Side::Upper)
+            return std::min(0.094 / (many * many), 0.40 / std::sqrt(nu_));
+        return std::min(0.077 / (many * many), 0.33 / std::sqrt(nu_ + k_ - 1));
+    }
+
+    double k_, nu_, step_scale_;
+    InfiniteRange range_;
+    Real scale_;
+};
+
+Tail tail_of(Side side, double q, double k, double df, double step_scale) {
+    EXPECTS(k >= 2 && std::isfinite(k) && df > 0 && step_scale > 0);
+    if (std::isnan(q))
+        return {q, q};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (q <= 0 || std::isinf(q))
+        return (q > 0) == (side == Side::Lower) ? Tail{1, 0} : Tail{0, -infinity};
+    const Real log_p = StudentizedRange(k, df, step_scale).log_tail(side, q);
+    return {static_cast<double>(std::exp(log_p)),
+            static_cast<double>(log_p / std::numbers::ln10_v<Real>)};
+}
+
+} // namespace
+
+Tail studentized_range_upper_tail(double q, double k, double df, double step_scale) {
+    return tail_of(Side::Upper, q, k, df, step_scale);
+}
+
+Tail studentized_range_lower_tail(double q, double k, double df, double step_scale) {
+    return tail_of(Side::Lower, q, k, df, step_scale);
+}
+
+// The tail falls along almost a straight line in (ln q, ln p), so a secant needs five to eight
+// steps; it keeps a bracket and halves it whenever it would step outside.
+double studentized_range_quantile(double upper_p, double k, double df) {
+    EXPECTS(upper_p > 0 && upper_p < 1 && k >= 2 && std::isfinite(k) && df > 0);
+    const Side side = upper_p <= 0.5 ? Side::Upper : Side::Lower;
+    const Real target = std::log(static_cast<Real>(side == Side::Upper ? upper_p : 1 - upper_p));
+    StudentizedRange range(k, df, 1.0);
+    const auto excess = [&](double x) { // falls with x = ln q
+        const auto gap = static_cast<double>(range.log_tail(side, std::exp(x)) - target);
+        return side == Side::Upper ? gap : -gap;
+    };
+    // Bonferroni's bound over the pairs starts the search; it is close where p is small.
+    const double pairs = k * (k - 1) / 2;
+    double x =
+        std::log(std::numbers::sqrt2 * t_quantile_two_sided(std::min(upper_p / pairs, 0.9), df));
+    double low = -std::numeric_limits<double>::infinity(), high = -low;
+    double before_x = 0, before = 0;
+    for (int evaluation = 0; evaluation < 200; ++evaluation) {
+        const double value = excess(x);
+        (value > 0 ? low : high) = x;
+        if (value == 0)
+            return std::exp(x);
+        const double slope = evaluation == 0 ? -1.0 : (value - before) / (x - before_x);
+        double step = slope < 0 ? std::clamp(-value / slope, -2.0, 2.0) : (value > 0 ? 0.5 : -0.5);
+        if (std::abs(step) <= 2e-16 * std::max(1.0, std::abs(x)))
+            return std::exp(x);
+        if (!(x + step > low && x + step < high)) {
+            step = (low + high) / 2 - x;
+            if (std::abs(step) <= 4e-16 * std::max(1.0, std::abs(x)))
+                return std::exp(x);
+        }
+        before_x = x;
+        before = value;
+        x += step;
+        if (x == before_x)
+            return std::exp(x);
+    }
+    return std::exp(x);
+}
+
+} // namespace analysis::numerics
