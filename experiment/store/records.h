@@ -49,13 +49,13 @@ struct SittingStart {
 
 /// A trial that was on the screen.
 struct Shown {
-    int trial = 0;              ///< its number in the plan
-    int presentation = 1;       ///< 1; 2 when it is shown again after an interruption, ...
-    std::int64_t onset_ns = 0;  ///< monotonic clock
-    std::string onset_source;   ///< how the onset was observed: "swap_return", "virtual"
-    std::string onset_utc;      ///< ISO 8601 with milliseconds and Z
-    std::int64_t grey_ns = 0;   ///< when the grey before it began, monotonic clock
-    std::int64_t extra_ns = 0;  ///< how much longer than planned the grey lasted
+    int trial = 0;             ///< its number in the plan
+    int presentation = 1;      ///< 1; 2 when it is shown again after an interruption, ...
+    std::int64_t onset_ns = 0; ///< monotonic clock
+    std::string onset_source;  ///< how the onset was observed: "swap_return", "virtual"
+    std::string onset_utc;     ///< ISO 8601 with milliseconds and Z
+    std::int64_t grey_ns = 0;  ///< when the grey before it began, monotonic clock
+    std::int64_t extra_ns = 0; ///< how much longer than planned the grey lasted
     bool operator==(const Shown&) const = default;
 };
 
@@ -67,9 +67,9 @@ struct MainVote {
     std::int64_t onset_ns = 0;
     std::int64_t key_ns = 0;
     std::string onset_utc;
-    std::string device;   ///< "keyboard", "mouse", "simulated"
-    std::string key_name; ///< "left", "right"
-    int early_keys = 0;   ///< answers pressed before input opened, not taken
+    std::string device;    ///< "keyboard", "mouse", "simulated"
+    std::string key_name;  ///< "left", "right"
+    int early_keys = 0;    ///< answers pressed before input opened, not taken
     bool held_key = false; ///< an answer key was already down when the pictures appeared
     bool operator==(const MainVote&) const = default;
 };

@@ -17,7 +17,8 @@ struct ChainedRow {
     std::string digest;
 };
 
-/// SHA-256, hexadecimal, over the predecessor's digest, the table's name, the number and the values.
+/// SHA-256, hexadecimal, over the predecessor's digest, the table's name, the number and the
+/// values.
 std::string row_digest(const std::string& predecessor, const ChainedRow& row);
 
 /// What is wrong with a chain, one line each.  `rows` are in order of `seq`; the head is the number

@@ -24,8 +24,8 @@ int bind(sqlite3_stmt* statement, int position, const Value& value) {
     if (const auto* number = std::get_if<std::int64_t>(&value))
         return sqlite3_bind_int64(statement, position, *number);
     if (const auto* text = std::get_if<std::string>(&value))
-        return sqlite3_bind_text64(statement, position, text->data(), text->size(), SQLITE_TRANSIENT,
-                                   SQLITE_UTF8);
+        return sqlite3_bind_text64(statement, position, text->data(), text->size(),
+                                   SQLITE_TRANSIENT, SQLITE_UTF8);
     return sqlite3_bind_null(statement, position);
 }
 
@@ -128,7 +128,8 @@ void SqliteDatabase::in_transaction(const std::function<void()>& work) {
         work();
         execute("COMMIT");
     } catch (...) {
-        // Some failures (a full disk) have rolled back already; a second ROLLBACK would only say so.
+        // Some failures (a full disk) have rolled back already; a second ROLLBACK would only say
+        // so.
         sqlite3_exec(database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
         throw;
     }
@@ -139,12 +140,10 @@ bool SqliteDatabase::is_read_only() const {
 }
 
 std::int64_t integer_of(const Value& value) {
-    EXPECTS(std::holds_alternative<std::int64_t>(value));
     return std::get<std::int64_t>(value);
 }
 
 const std::string& text_of(const Value& value) {
-    EXPECTS(std::holds_alternative<std::string>(value));
     return std::get<std::string>(value);
 }
 

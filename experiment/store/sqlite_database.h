@@ -46,6 +46,8 @@ class SqliteDatabase {
 
     bool is_read_only() const;
 
+    const std::filesystem::path& file() const { return file_; }
+
   private:
     struct Close {
         void operator()(sqlite3* database) const;
@@ -57,7 +59,8 @@ class SqliteDatabase {
     std::unique_ptr<sqlite3, Close> database_;
 };
 
-/// The columns of a row, when their type is known.  EXPECTS the type.
+/// The columns of a row whose types the schema promises.  They throw std::bad_variant_access where
+/// a damaged file breaks the promise.
 std::int64_t integer_of(const Value& value);
 const std::string& text_of(const Value& value);
 

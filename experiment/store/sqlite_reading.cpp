@@ -62,7 +62,8 @@ std::vector<ChainedRow> chained_rows(const SqliteDatabase& database) {
     std::vector<ChainedRow> rows;
     for (const auto& table : chained_tables())
         for (auto& row : database.query(fmt::format("SELECT * FROM {}", table))) {
-            ChainedRow chained{table, integer_of(row.front()), {}, text_of(row.back())};
+            const auto* digest = std::get_if<std::string>(&row.back());
+            ChainedRow chained{table, integer_of(row.front()), {}, digest ? *digest : ""};
             chained.values.assign(row.begin() + 1, row.end() - 1);
             rows.push_back(std::move(chained));
         }
@@ -109,11 +110,18 @@ void add_contradictions(std::vector<std::string>& findings, const SqliteDatabase
 
 } // namespace
 
+Head read_head(const SqliteDatabase& database) {
+    const auto rows = database.query("SELECT seq, digest FROM head WHERE one = 1");
+    if (rows.empty())
+        throw database.complaint("has lost the end of its chain; restore it from a copy");
+    return {integer_of(rows[0][0]), text_of(rows[0][1])};
+}
+
 StudyIdentity read_study(const SqliteDatabase& database) {
     const auto rows = database.query("SELECT id, file_sha256 FROM study");
     if (rows.size() != 1)
-        throw database.complaint(fmt::format("names {} studies, expected one; verify the store",
-                                             rows.size()));
+        throw database.complaint(
+            fmt::format("names {} studies, expected one; verify the store", rows.size()));
     return {text_of(rows[0][0]), text_of(rows[0][1])};
 }
 
@@ -126,10 +134,10 @@ std::vector<protocols::ObserverId> read_observers(const SqliteDatabase& database
 
 std::vector<SittingSummary> read_summaries(const SqliteDatabase& database) {
     std::vector<SittingSummary> summaries;
-    for (const auto& row :
-         database.query("SELECT sittings.*, finished.utc, (SELECT count(*) FROM votes WHERE sitting "
-                        "= sittings.seq) FROM sittings LEFT JOIN finished ON finished.sitting = "
-                        "sittings.seq ORDER BY sittings.seq")) {
+    for (const auto& row : database.query(
+             "SELECT sittings.*, finished.utc, (SELECT count(*) FROM votes WHERE sitting "
+             "= sittings.seq) FROM sittings LEFT JOIN finished ON finished.sitting = "
+             "sittings.seq ORDER BY sittings.seq")) {
         const auto start = start_of(row);
         summaries.push_back({start.key, start.local_date, start.started_utc, start.study_sha256,
                              start.renderer, start.display, start.timing_grade, start.simulation,
@@ -149,12 +157,10 @@ std::optional<Sitting> read_sitting(const SqliteDatabase& database, const Sittin
     Sitting sitting{start_of(headers[0]), {}, {}, {}, {}, optional_text(headers[0][17])};
     for (const auto& row :
          database.query("SELECT * FROM planned WHERE sitting = ? ORDER BY trial", number))
-        sitting.plan.push_back({small(row[2]),
-                                phase(database, row[3]),
-                                {{text_of(row[4])},
-                                 {text_of(row[5])},
-                                 {text_of(row[6])},
-                                 {text_of(row[7])}}});
+        sitting.plan.push_back(
+            {small(row[2]),
+             phase(database, row[3]),
+             {{text_of(row[4])}, {text_of(row[5])}, {text_of(row[6])}, {text_of(row[7])}}});
     for (const auto& row :
          database.query("SELECT * FROM shown WHERE sitting = ? ORDER BY seq", number))
         sitting.shown.push_back({small(row[2]), small(row[3]), integer_of(row[4]), text_of(row[5]),
@@ -175,15 +181,16 @@ std::optional<Sitting> read_sitting(const SqliteDatabase& database, const Sittin
 std::vector<VoteRow> read_votes(const SqliteDatabase& database) {
     std::vector<VoteRow> votes;
     for (const auto& row : database.query("SELECT * FROM long_votes"))
-        votes.push_back({text_of(row[0]),
-                         {text_of(row[1])},
-                         small(row[2]),
-                         small(row[3]),
-                         {{text_of(row[4])}, {text_of(row[5])}, {text_of(row[6])}, {text_of(row[7])}},
-                         choice(database, row[8]),
-                         std::chrono::milliseconds(integer_of(row[9])),
-                         text_of(row[10]),
-                         integer_of(row[11]) == 1});
+        votes.push_back(
+            {text_of(row[0]),
+             {text_of(row[1])},
+             small(row[2]),
+             small(row[3]),
+             {{text_of(row[4])}, {text_of(row[5])}, {text_of(row[6])}, {text_of(row[7])}},
+             choice(database, row[8]),
+             std::chrono::milliseconds(integer_of(row[9])),
+             text_of(row[10]),
+             integer_of(row[11]) == 1});
     return votes;
 }
 
@@ -192,11 +199,16 @@ std::vector<std::string> read_findings(const SqliteDatabase& database) {
     for (const auto& row : database.query("PRAGMA integrity_check"))
         if (text_of(row[0]) != "ok")
             findings.push_back("the file is damaged: " + text_of(row[0]));
-    const auto head = database.query("SELECT seq, digest FROM head WHERE one = 1").at(0);
-    const auto broken =
-        chain_findings(chained_rows(database), integer_of(head[0]), text_of(head[1]));
+    const auto head = read_head(database);
+    const auto broken = chain_findings(chained_rows(database), head.seq, head.digest);
     findings.insert(findings.end(), broken.begin(), broken.end());
-    add_contradictions(findings, database);
+    try {
+        add_contradictions(findings, database);
+    } catch (const std::exception&) {
+        if (findings.empty())
+            throw;
+        findings.push_back("the rows cannot be compared with each other before that is mended");
+    }
     return findings;
 }
 

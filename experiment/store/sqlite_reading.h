@@ -10,6 +10,13 @@
 
 namespace experiment::store {
 
+/// The last link of the chain.
+struct Head {
+    std::int64_t seq = 0;
+    std::string digest;
+};
+
+Head read_head(const SqliteDatabase& database);
 StudyIdentity read_study(const SqliteDatabase& database);
 std::vector<protocols::ObserverId> read_observers(const SqliteDatabase& database);
 std::vector<SittingSummary> read_summaries(const SqliteDatabase& database);

@@ -34,9 +34,9 @@ bool is_pseudonym(const std::string& id) {
     });
 }
 
-// Runs `work`; what the database throws becomes the error.
+// Runs `work` on `file`; what the database throws becomes the error.
 template <class Work>
-auto attempt(Work work) -> Expected<decltype(work())> {
+auto attempt(const std::filesystem::path& file, Work work) -> Expected<decltype(work())> {
     try {
         if constexpr (std::is_void_v<decltype(work())>) {
             work();
@@ -46,6 +46,10 @@ auto attempt(Work work) -> Expected<decltype(work())> {
         }
     } catch (const DatabaseError& error) {
         return tl::unexpected(std::string(error.what()));
+    } catch (const std::bad_variant_access&) { // a row's bytes say another type than its table does
+        return tl::unexpected(fmt::format("{}: is damaged: a column holds another type than the "
+                                          "schema says; restore it from a copy",
+                                          file.string()));
     }
 }
 
@@ -64,14 +68,17 @@ class SqliteStore final : public VoteStore {
             throw database_.complaint(fmt::format("has schema version {}, expected {}; use the "
                                                   "version of this program that wrote it",
                                                   version, schema_version));
-        database_.query("SELECT seq, digest FROM head WHERE one = 1").at(0);
+        read_head(database_);
     }
 
     void check_writable() {
         if (database_.is_read_only())
             throw database_.complaint("cannot be written: the file or its folder is read-only");
-        database_.in_transaction([&] { // a write that changes nothing, to learn it now
-            database_.query("UPDATE head SET seq = seq WHERE one = 1");
+        // A write and its undoing, to learn now whether it can be done.  (SQLite skips a write that
+        // changes nothing.)
+        database_.in_transaction([&] {
+            database_.query("UPDATE head SET seq = seq + 1 WHERE one = 1");
+            database_.query("UPDATE head SET seq = seq - 1 WHERE one = 1");
         });
     }
 
@@ -85,20 +92,20 @@ class SqliteStore final : public VoteStore {
     void check_study(const StudyIdentity& wanted) const {
         const auto found = read_study(database_);
         if (found.id != wanted.id)
-            throw database_.complaint(fmt::format("holds the votes of study \"{}\", expected \"{}\"; "
-                                                  "give this study a folder of its own",
-                                                  found.id, wanted.id));
+            throw database_.complaint(
+                fmt::format("holds the votes of study \"{}\", expected \"{}\"; "
+                            "give this study a folder of its own",
+                            found.id, wanted.id));
     }
 
     Expected<void> add_observer(const ObserverId& observer, const std::string& utc) override {
-        return attempt([&] {
+        return attempt(database_.file(), [&] {
             if (!is_pseudonym(observer.value))
                 throw database_.complaint(fmt::format("observer \"{}\": expected a pseudonym of 1 "
                                                       "to 32 letters, digits, '-' and '_'",
                                                       observer.value));
             database_.in_transaction([&] {
-                if (database_
-                        .query("SELECT 1 FROM observers WHERE observer = ?", {observer.value})
+                if (database_.query("SELECT 1 FROM observers WHERE observer = ?", {observer.value})
                         .empty())
                     append("observers", {observer.value, utc});
             });
@@ -107,7 +114,7 @@ class SqliteStore final : public VoteStore {
 
     Expected<void> begin_sitting(const SittingStart& start,
                                  std::span<const PlannedTrial> plan) override {
-        return attempt([&] {
+        return attempt(database_.file(), [&] {
             database_.in_transaction([&] {
                 refuse_if_begun(start.key);
                 refuse_mixed_observer(start);
@@ -119,28 +126,28 @@ class SqliteStore final : public VoteStore {
                      start.display, start.timing_grade, text_or_nothing(start.simulation),
                      text_or_nothing(start.override_reason)});
                 for (const auto& [number, phase, trial] : plan)
-                    append("planned", {sitting, std::int64_t{number}, word(phase),
-                                       trial.scene.value, trial.variant.value, trial.left.value,
-                                       trial.right.value});
+                    append("planned",
+                           {sitting, std::int64_t{number}, word(phase), trial.scene.value,
+                            trial.variant.value, trial.left.value, trial.right.value});
             });
         });
     }
 
     Expected<void> append_shown(const SittingKey& key, const Shown& shown) override {
-        return attempt([&] {
+        return attempt(database_.file(), [&] {
             database_.in_transaction([&] {
                 const auto sitting = open_sitting(key);
                 phase_of_trial(key, sitting, shown.trial);
-                append("shown", {sitting, std::int64_t{shown.trial},
-                                 std::int64_t{shown.presentation}, shown.onset_ns,
-                                 shown.onset_source, shown.onset_utc, shown.grey_ns,
-                                 shown.extra_ns});
+                append("shown",
+                       {sitting, std::int64_t{shown.trial}, std::int64_t{shown.presentation},
+                        shown.onset_ns, shown.onset_source, shown.onset_utc, shown.grey_ns,
+                        shown.extra_ns});
             });
         });
     }
 
     Expected<void> append_vote(const SittingKey& key, const MainVote& vote) override {
-        return attempt([&] {
+        return attempt(database_.file(), [&] {
             database_.in_transaction([&] {
                 const auto sitting = open_sitting(key);
                 refuse_vote(key, sitting, vote.trial);
@@ -153,7 +160,7 @@ class SqliteStore final : public VoteStore {
     }
 
     Expected<void> append_event(const SittingKey& key, const SittingEvent& event) override {
-        return attempt([&] {
+        return attempt(database_.file(), [&] {
             database_.in_transaction([&] {
                 const auto sitting = open_sitting(key);
                 append("events", {sitting, event.kind, event.detail, event.at_ns, event.utc});
@@ -162,7 +169,7 @@ class SqliteStore final : public VoteStore {
     }
 
     Expected<void> finish_sitting(const SittingKey& key, const std::string& utc) override {
-        return attempt([&] {
+        return attempt(database_.file(), [&] {
             database_.in_transaction([&] {
                 const auto sitting = open_sitting(key);
                 const auto open = database_.query(
@@ -179,35 +186,35 @@ class SqliteStore final : public VoteStore {
     }
 
     Expected<StudyIdentity> study() const override {
-        return attempt([&] { return read_study(database_); });
+        return attempt(database_.file(), [&] { return read_study(database_); });
     }
 
     Expected<std::vector<ObserverId>> observers() const override {
-        return attempt([&] { return read_observers(database_); });
+        return attempt(database_.file(), [&] { return read_observers(database_); });
     }
 
     Expected<std::vector<SittingSummary>> sittings() const override {
-        return attempt([&] { return read_summaries(database_); });
+        return attempt(database_.file(), [&] { return read_summaries(database_); });
     }
 
     Expected<std::optional<Sitting>> sitting(const SittingKey& key) const override {
-        return attempt([&] { return read_sitting(database_, key); });
+        return attempt(database_.file(), [&] { return read_sitting(database_, key); });
     }
 
     Expected<std::vector<VoteRow>> votes() const override {
-        return attempt([&] { return read_votes(database_); });
+        return attempt(database_.file(), [&] { return read_votes(database_); });
     }
 
     Expected<std::vector<std::string>> verify() const override {
-        return attempt([&] { return read_findings(database_); });
+        return attempt(database_.file(), [&] { return read_findings(database_); });
     }
 
   private:
     // Appends one row to the chain, inside a transaction; returns its number.
     std::int64_t append(const std::string& table, Row values) {
-        const auto head = database_.query("SELECT seq, digest FROM head WHERE one = 1").at(0);
-        const ChainedRow row{table, integer_of(head[0]) + 1, std::move(values), {}};
-        const auto digest = row_digest(text_of(head[1]), row);
+        const auto head = read_head(database_);
+        const ChainedRow row{table, head.seq + 1, std::move(values), {}};
+        const auto digest = row_digest(head.digest, row);
         Row stored{row.seq};
         stored.insert(stored.end(), row.values.begin(), row.values.end());
         stored.emplace_back(digest);
@@ -245,10 +252,10 @@ class SqliteStore final : public VoteStore {
     }
 
     void refuse_mixed_observer(const SittingStart& start) const {
-        const auto found = database_.query("SELECT session FROM sittings WHERE observer = ? AND "
-                                           "(simulation IS NOT NULL) <> ?",
-                                           {start.key.observer.value,
-                                            std::int64_t{start.simulation.has_value()}});
+        const auto found =
+            database_.query("SELECT session FROM sittings WHERE observer = ? AND "
+                            "(simulation IS NOT NULL) <> ?",
+                            {start.key.observer.value, std::int64_t{start.simulation.has_value()}});
         if (!found.empty())
             throw complaint(
                 start.key,
@@ -269,9 +276,8 @@ class SqliteStore final : public VoteStore {
 
     std::string
     phase_of_trial(const SittingKey& key, std::int64_t sitting, std::int64_t trial) const {
-        const auto found =
-            database_.query("SELECT phase FROM planned WHERE sitting = ? AND trial = ?",
-                            {sitting, trial});
+        const auto found = database_.query(
+            "SELECT phase FROM planned WHERE sitting = ? AND trial = ?", {sitting, trial});
         if (found.empty())
             throw complaint(key, fmt::format("has no trial {} in its plan", trial));
         return text_of(found[0][0]);
@@ -280,15 +286,15 @@ class SqliteStore final : public VoteStore {
     void refuse_vote(const SittingKey& key, std::int64_t sitting, std::int64_t trial) const {
         const auto has = [&](const char* table) {
             return !database_
-                        .query(fmt::format("SELECT 1 FROM {} WHERE sitting = ? AND trial = ?",
-                                           table),
-                               {sitting, trial})
+                        .query(
+                            fmt::format("SELECT 1 FROM {} WHERE sitting = ? AND trial = ?", table),
+                            {sitting, trial})
                         .empty();
         };
         const auto phase = phase_of_trial(key, sitting, trial);
         if (phase != word_of(protocols::Phase::Main))
-            throw complaint(key, fmt::format("cannot keep a vote for trial {}, which is {}", trial,
-                                             phase));
+            throw complaint(
+                key, fmt::format("cannot keep a vote for trial {}, which is {}", trial, phase));
         if (!has("shown"))
             throw complaint(key, fmt::format("cannot keep a vote for trial {}, which was not "
                                              "recorded as shown",
@@ -303,7 +309,7 @@ class SqliteStore final : public VoteStore {
 Expected<std::unique_ptr<VoteStore>> opened(const std::filesystem::path& file,
                                             WhenMissing when_missing,
                                             const std::function<void(SqliteStore&)>& prepare) {
-    return attempt([&]() -> std::unique_ptr<VoteStore> {
+    return attempt(file, [&]() -> std::unique_ptr<VoteStore> {
         auto store = std::make_unique<SqliteStore>(SqliteDatabase(file, when_missing));
         prepare(*store);
         return store;
