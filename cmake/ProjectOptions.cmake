@@ -20,3 +20,5 @@ if(PAIRLIGHT_SANITIZE)
         -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
     target_link_options(project_options INTERFACE -fsanitize=address,undefined)
 endif()
+target_compile_definitions(project_options INTERFACE
+    PAIRLIGHT_PROGRAM_VERSION="pairlight ${PROJECT_VERSION}")

@@ -1,0 +1,114 @@
+// pairlight check: whether a study can be run as it stands, and what to know before it is.
+#include "experiment/commands/commands.h"
+#include "experiment/read_study.h"
+#include "experiment/stimuli/own_images.h"
+#include "experiment/stimuli/render_study.h"
+#include "experiment/stimuli/scene_renderer.h"
+#include "protocols/schedule.h"
+#include "protocols/session_length.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace experiment::commands {
+
+namespace {
+
+using protocols::Phase;
+using protocols::Study;
+
+bool has_rendered_conditions(const Study& study) {
+    return std::ranges::any_of(study.conditions, [](const auto& condition) {
+        return std::holds_alternative<protocols::Rendering>(condition.source);
+    });
+}
+
+void say_what_is_asked(const Study& study) {
+    const auto pictures = study.scenes.size() * shown_variants(study).size();
+    const auto t = study.conditions.size();
+    fmt::print("{}: {} conditions, {} scenes, {} ways to show each: {} pairs a sitting, {} "
+               "sittings a day or more apart\n",
+               study.id, t, study.scenes.size(), shown_variants(study).size(),
+               pictures * t * (t - 1) / 2 * static_cast<std::size_t>(study.plan.repetitions),
+               study.plan.sessions);
+}
+
+void say_how_long(const Study& study) {
+    const auto length = protocols::estimated_length(study);
+    const auto minutes = static_cast<double>(length.count()) / 60.0;
+    fmt::print("length: about {:.0f} minutes a sitting{}\n", minutes,
+               length > protocols::longest_session ? " - WARNING: BT.500 asks for at most 30" : "");
+}
+
+void say_which_order(const Study& study) {
+    for (int session = 1; session <= study.plan.sessions; ++session)
+        value_or_stop(protocols::make_schedule(study, {"check"}, session));
+    const auto schedule = value_or_stop(protocols::make_schedule(study, {"check"}, 1));
+    fmt::print("order: {}\n", schedule.scene_rule);
+}
+
+void check_models(const LoadedStudy& loaded, const Voice& voice) {
+    for (const auto& scene : loaded.study.scenes) {
+        auto model = stimuli::load_model(scene, loaded.folder);
+        if (!model)
+            throw CommandError(fmt::format("{}:{}: scene \"{}\": {}",
+                                           loaded.folder.study_file().string(), scene.line,
+                                           scene.id.value, model.error()));
+        fmt::print("scene {}: {} vertices, {} triangles, from {}\n", scene.id.value,
+                   model->record.vertices, model->record.triangles, model->record.file);
+        for (const auto& remark : model->remarks)
+            voice.remark("  " + remark);
+    }
+}
+
+/// Own images have to be there; rendered ones are counted.
+void check_stimuli(const LoadedStudy& loaded) {
+    int rendered = 0;
+    int missing = 0;
+    for (const auto& scene : loaded.study.scenes)
+        for (const auto& variant : shown_variants(loaded.study))
+            for (const auto& condition : loaded.study.conditions) {
+                const protocols::Picture picture{scene.id, variant.id, condition.id};
+                if (std::holds_alternative<protocols::OwnImages>(condition.source))
+                    value_or_stop(stimuli::inspect_own_image(loaded, picture));
+                else
+                    ++(std::filesystem::exists(stimuli::png_file(loaded.folder, picture))
+                           ? rendered
+                           : missing);
+            }
+    if (missing > 0)
+        fmt::print("stimuli: {} rendered, {} still to render: `pairlight render {}`\n", rendered,
+                   missing, loaded.folder.root.string());
+    else
+        fmt::print("stimuli: all there\n");
+}
+
+} // namespace
+
+void add_check(CLI::App& program) {
+    struct Options {
+        std::string study;
+        Voice voice;
+    };
+
+    const auto options = std::make_shared<Options>();
+    auto* command = program.add_subcommand("check", "Whether a study can be run as it stands");
+    command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
+    add_voice(*command, options->voice);
+    command->callback([options] {
+        const auto loaded = value_or_stop(read_study(options->study));
+        say_what_is_asked(loaded.study);
+        value_or_stop(read_instructions(loaded));
+        say_how_long(loaded.study);
+        say_which_order(loaded.study);
+        if (has_rendered_conditions(loaded.study))
+            check_models(loaded, options->voice);
+        check_stimuli(loaded);
+        fmt::print("observers: fewer than 15 make it an informal study (BT.500)\n");
+    });
+}
+
+} // namespace experiment::commands

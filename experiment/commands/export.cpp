@@ -1,0 +1,57 @@
+// pairlight export: vote matrices and vote tables, in forms other tools read.
+#include "analysis/vote_matrix_csv.h"
+#include "experiment/commands/commands.h"
+#include "experiment/tables.h"
+#include "experiment/vote_source.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <map>
+#include <memory>
+
+namespace experiment::commands {
+
+namespace {
+
+enum class Form { Long, Matrices, Scores };
+
+std::string exported(const std::string& study, Form form) {
+    if (form == Form::Long)
+        return long_csv(value_or_stop(stored_votes(value_or_stop(read_study(study)))));
+    const auto votes = value_or_stop(read_votes(study));
+    return form == Form::Matrices ? analysis::vote_matrices_csv(votes.table)
+                                  : analysis::scores_csv(votes.table);
+}
+
+} // namespace
+
+void add_export(CLI::App& program) {
+    struct Options {
+        std::string study;
+        Form form = Form::Long;
+        std::string csv;
+        Voice voice;
+    };
+
+    const auto options = std::make_shared<Options>();
+    auto* command = program.add_subcommand("export", "Vote matrices and vote tables, as CSV");
+    command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
+    command
+        ->add_option(
+            "--format", options->form,
+            "long: one row per vote; matrices: votes for winner over loser in every scope; scores")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Form>{
+            {"long", Form::Long}, {"matrices", Form::Matrices}, {"scores", Form::Scores}}))
+        ->required();
+    command->add_option("--csv", options->csv, "The file to write; without it, standard output");
+    add_voice(*command, options->voice);
+    command->callback([options] {
+        const auto table = exported(options->study, options->form);
+        deliver(table, options->csv);
+        if (!options->csv.empty())
+            options->voice.remark(options->csv + ": written");
+    });
+}
+
+} // namespace experiment::commands

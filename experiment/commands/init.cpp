@@ -1,0 +1,66 @@
+// pairlight init: a new study folder, commented, ready to run.
+#include "experiment/commands/commands.h"
+#include "experiment/study_folder.h"
+#include "experiment/text_files.h"
+#include "protocols/studies/instructions.md.h"
+#include "protocols/studies/own-images.toml.h"
+#include "protocols/studies/quick.toml.h"
+#include "protocols/studies/shss-2012.toml.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <map>
+#include <memory>
+#include <string_view>
+
+namespace experiment::commands {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::map<std::string, std::string_view>& study_templates() {
+    static const std::map<std::string, std::string_view> texts{
+        {"shss-2012", templates::shss_2012_toml},
+        {"own-images", templates::own_images_toml},
+        {"quick", templates::quick_toml}};
+    return texts;
+}
+
+} // namespace
+
+void make_study_folder(const fs::path& path, const std::string& template_name) {
+    const StudyFolder folder{path};
+    if (fs::exists(folder.study_file()))
+        throw CommandError(fmt::format("{}: there is a study already; choose another folder",
+                                       folder.study_file().string()));
+    value_or_stop(write_text_file(folder.root / "instructions.md", templates::instructions_md));
+    value_or_stop(write_text_file(folder.study_file(), study_templates().at(template_name)));
+}
+
+void add_init(CLI::App& program) {
+    struct Options {
+        std::string folder;
+        std::string study_template = "quick";
+        Voice voice;
+    };
+
+    const auto options = std::make_shared<Options>();
+    auto* command =
+        program.add_subcommand("init", "Make a new study folder, commented, ready to run");
+    command->add_option("DIR", options->folder, "The new folder")->required();
+    command->add_option("--template", options->study_template, "The study to begin with")
+        ->check(CLI::IsMember({"shss-2012", "own-images", "quick"}))
+        ->capture_default_str();
+    add_voice(*command, options->voice);
+    command->callback([options] {
+        make_study_folder(options->folder, options->study_template);
+        fmt::print("{}\n", StudyFolder{options->folder}.study_file().string());
+        options->voice.remark(
+            fmt::format("Next: edit it, then `pairlight check {0}` and `pairlight render {0}`.",
+                        options->folder));
+    });
+}
+
+} // namespace experiment::commands

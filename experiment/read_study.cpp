@@ -1,0 +1,72 @@
+// The one place where a study file meets the renderer's names.
+#include "experiment/read_study.h"
+
+#include "experiment/text_files.h"
+#include "protocols/digest.h"
+#include "renderer/materials.h"
+
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <sstream>
+
+namespace experiment {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path model_cache() {
+    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0')
+        return fs::path(cache) / "pairlight" / "models";
+    const char* home = std::getenv("HOME");
+    return fs::path(home != nullptr ? home : "/") / ".cache" / "pairlight" / "models";
+}
+
+} // namespace
+
+protocols::KnownNames known_names() {
+    return {.methods = {"phong", "green", "shss"},
+            .laws = {"paper", "physical"},
+            .thickness_kinds = {"sum", "first", "span"},
+            .materials = renderer::measured_names()};
+}
+
+tl::expected<LoadedStudy, std::string> read_study(const fs::path& path) {
+    const auto folder = study_folder(path);
+    if (!fs::exists(folder.study_file()))
+        return tl::unexpected(fmt::format("{}: there is no study; `pairlight init {}` makes one",
+                                          folder.study_file().string(), folder.root.string()));
+    const auto text = read_text_file(folder.study_file());
+    if (!text)
+        return tl::unexpected(text.error());
+    auto study = protocols::parse_study(*text, folder.study_file().string(), known_names());
+    if (!study)
+        return tl::unexpected(study.error());
+    return LoadedStudy{folder, std::move(*study), protocols::hexadecimal(protocols::sha256(*text))};
+}
+
+tl::expected<std::string, std::string> read_instructions(const LoadedStudy& loaded) {
+    const auto file = loaded.folder.root / loaded.study.instructions.file;
+    auto text = read_text_file(file);
+    if (text && text->find_first_not_of(" \t\r\n") == std::string::npos)
+        return tl::unexpected(
+            fmt::format("{}: is empty; observers need written instructions", file.string()));
+    return text;
+}
+
+std::vector<fs::path> model_folders(const StudyFolder& folder) {
+    std::vector<fs::path> folders{folder.root / "models"};
+    const char* given = std::getenv("PAIRLIGHT_MODELS");
+    if (given == nullptr || *given == '\0') {
+        folders.push_back(model_cache());
+        return folders;
+    }
+    std::istringstream list(given);
+    for (std::string one; std::getline(list, one, ':');)
+        if (!one.empty())
+            folders.emplace_back(one);
+    return folders;
+}
+
+} // namespace experiment

@@ -1,0 +1,243 @@
+// A thickness field is traced once for each kind and number of directions, with as many bands as
+// anyone asks for.
+#include "experiment/stimuli/scene_renderer.h"
+
+#include "experiment/stimuli/recipe.h"
+#include "experiment/text_files.h"
+#include "protocols/digest.h"
+#include "renderer/camera.h"
+#include "renderer/imaging/brightness.h"
+#include "renderer/imaging/image_files.h"
+#include "renderer/materials.h"
+#include "renderer/methods/picture.h"
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace experiment::stimuli {
+
+namespace fs = std::filesystem;
+namespace imaging = renderer::imaging;
+namespace methods = renderer::methods;
+namespace thickness = renderer::thickness;
+
+using protocols::Picture;
+using protocols::Rendering;
+template <class T>
+using Expected = tl::expected<T, std::string>;
+
+namespace {
+
+/// What a field is traced for: conditions that agree in these share one.
+using FieldKey = std::pair<std::string, int>;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+thickness::Kind thickness_kind(const std::string& name) {
+    if (name == "first")
+        return thickness::Kind::First;
+    return name == "span" ? thickness::Kind::Span : thickness::Kind::Sum;
+}
+
+methods::Law law(const std::string& name) {
+    return name == "paper" ? methods::Law::Paper : methods::Law::Physical;
+}
+
+methods::MethodSettings settings(const Rendering& rendering) {
+    if (rendering.method == "green")
+        return methods::GreenSettings{rendering.depth_map, law(rendering.law)};
+    if (rendering.method == "shss")
+        return methods::ShssSettings{rendering.bands, law(rendering.law)};
+    return methods::PhongSettings{};
+}
+
+/// Green needs a field too under the paper's law: its D_n is what thickness is divided by.
+bool needs_field(const Rendering& rendering) {
+    return rendering.method == "shss" || (rendering.method == "green" && rendering.law == "paper");
+}
+
+FieldKey field_key(const Rendering& rendering) {
+    return rendering.method == "shss" ? FieldKey{rendering.thickness, rendering.directions}
+                                      : FieldKey{"sum", Rendering{}.directions};
+}
+
+struct TracedField {
+    int bands = 1;
+    double seconds = 0;
+    thickness::ThicknessField field;
+};
+
+std::map<FieldKey, TracedField> needed_fields(const protocols::Study& study) {
+    std::map<FieldKey, TracedField> needed;
+    for (const auto& condition : study.conditions)
+        if (const auto* rendering = std::get_if<Rendering>(&condition.source);
+            rendering != nullptr && needs_field(*rendering)) {
+            auto& bands = needed[field_key(*rendering)].bands;
+            bands = std::max(bands, rendering->method == "shss" ? rendering->bands : 1);
+        }
+    return needed;
+}
+
+} // namespace
+
+/// A picture as drawn, before its brightness is matched.
+struct SceneRenderer::Drawn {
+    Picture picture;
+    imaging::LinearImage image;
+    PictureRecord record;
+};
+
+fs::path png_file(const StudyFolder& folder, const Picture& picture) {
+    return folder.stimuli() / (protocols::picture_path(picture) + ".png");
+}
+
+Expected<SceneRenderer> SceneRenderer::prepare(const protocols::Study& study,
+                                               const protocols::Scene& scene,
+                                               LoadedModel model,
+                                               int samples,
+                                               const std::function<void(double)>& progress) {
+    SceneRenderer scene_renderer(study, scene, std::move(model), samples);
+    const auto material = renderer::measured_material(scene.material);
+    if (!material)
+        return tl::unexpected(fmt::format("no material \"{}\"", scene.material));
+    scene_renderer.material_ = *material;
+    if (auto prepared = scene_renderer.prepare_contenders(progress); !prepared)
+        return tl::unexpected(prepared.error());
+    return scene_renderer;
+}
+
+Expected<void> SceneRenderer::prepare_contenders(const std::function<void(double)>& progress) {
+    auto fields = needed_fields(*study_);
+    double traced = 0;
+    for (auto& [key, needed] : fields) {
+        const auto start = Clock::now();
+        auto field = thickness::compute_thickness_field(
+            model_.mesh,
+            {.kind = thickness_kind(key.first), .bands = needed.bands, .directions = key.second},
+            [&](double fraction) {
+                progress((traced + fraction) / static_cast<double>(fields.size()));
+            });
+        if (!field)
+            return tl::unexpected(field.error());
+        needed.field = std::move(*field);
+        needed.seconds = seconds_since(start);
+        if (const auto& rays = needed.field.statistics; rays.retried + rays.fallbacks > 0)
+            model_.remarks.push_back(
+                fmt::format("{} of {} rays were traced again, {} decided by winding number",
+                            rays.retried, rays.rays, rays.fallbacks));
+        ++traced;
+    }
+
+    auto surface = methods::Surface::upload(model_.mesh);
+    if (!surface)
+        return tl::unexpected(surface.error());
+    for (const auto& condition : study_->conditions) {
+        const auto* rendering = std::get_if<Rendering>(&condition.source);
+        if (rendering == nullptr)
+            continue;
+        const auto start = Clock::now();
+        const TracedField* traced_field =
+            needs_field(*rendering) ? &fields.at(field_key(*rendering)) : nullptr;
+        auto method =
+            methods::prepare_method(settings(*rendering), *surface,
+                                    traced_field != nullptr ? &traced_field->field : nullptr);
+        if (!method)
+            return tl::unexpected(
+                fmt::format("condition \"{}\": {}", condition.id.value, method.error()));
+        contenders_.push_back(
+            {&condition, std::move(*method),
+             seconds_since(start) + (traced_field != nullptr ? traced_field->seconds : 0)});
+    }
+    return {};
+}
+
+renderer::Scene SceneRenderer::lit_by(const protocols::Variant& variant) const {
+    const auto& up = scene_->up;
+    const renderer::Turntable turntable{
+        scene_->turn_degrees, scene_->elevation_degrees, {up[0], up[1], up[2]}};
+    const renderer::Millimetres diameter{scene_->diameter_mm};
+    renderer::Scene scene;
+    scene.placement =
+        renderer::place(renderer::geometry::bounding_sphere(model_.mesh), diameter, turntable);
+    scene.camera =
+        renderer::frame(diameter, turntable, static_cast<double>(study_->width) / study_->height);
+    scene.material = material_;
+    const auto& to_light = variant.to_light;
+    scene.light.to_light =
+        renderer::world_from_view_axes(scene.camera, {to_light[0], to_light[1], to_light[2]});
+    return scene;
+}
+
+Expected<std::vector<SceneRenderer::Drawn>>
+SceneRenderer::draw_all(const protocols::Variant& variant) {
+    const auto scene = lit_by(variant);
+    std::vector<Drawn> drawn;
+    for (auto& contender : contenders_) {
+        const auto start = Clock::now();
+        auto image = methods::render_picture(*contender.method, scene, study_->width,
+                                             study_->height, samples_);
+        if (!image)
+            return tl::unexpected(image.error());
+        PictureRecord record;
+        record.frame_milliseconds = 1000.0 * seconds_since(start) / samples_;
+        record.dials = dials(std::get<Rendering>(contender.condition->source));
+        record.width = study_->width;
+        record.height = study_->height;
+        record.model = model_.record;
+        record.precompute_seconds = contender.precompute_seconds;
+        record.bytes_per_vertex = contender.method->cost().bytes_per_vertex;
+        drawn.push_back({{scene_->id, variant.id, contender.condition->id},
+                         std::move(*image),
+                         std::move(record)});
+    }
+    return drawn;
+}
+
+Expected<std::map<Picture, PictureRecord>> SceneRenderer::render(const protocols::Variant& variant,
+                                                                 const StudyFolder& folder) {
+    auto drawn = draw_all(variant);
+    if (!drawn)
+        return tl::unexpected(drawn.error());
+    std::vector<imaging::NamedImage> pictures;
+    for (const auto& one : *drawn)
+        pictures.push_back({one.picture.condition.value, one.image});
+    const auto mask = imaging::covered_pixels(drawn->front().image.coverage);
+    const auto matches = imaging::match_brightness(pictures, mask);
+    if (!matches)
+        return tl::unexpected(fmt::format("scene \"{}\", variant \"{}\": {}", scene_->id.value,
+                                          variant.id.value, matches.error()));
+
+    std::map<Picture, PictureRecord> records;
+    for (std::size_t i = 0; i < drawn->size(); ++i) {
+        auto& [picture, image, record] = (*drawn)[i];
+        const auto& match = (*matches)[i];
+        const auto png = png_file(folder, picture);
+        const std::vector<imaging::TextEntry> texts{
+            {"stimulus:id", protocols::picture_path(picture)},
+            {"Software", PAIRLIGHT_PROGRAM_VERSION}};
+        const auto encoded = imaging::encode_16bit(
+            imaging::composite_over_grey(image, match.gain, study_->surround.code));
+        auto written = imaging::write_png(png, encoded, texts).and_then([&] {
+            return imaging::write_exr(fs::path(png).replace_extension(".exr"), image, texts);
+        });
+        if (!written)
+            return tl::unexpected(written.error());
+        const auto bytes = read_text_file(png);
+        if (!bytes)
+            return tl::unexpected(bytes.error());
+        record.png_sha256 = protocols::hexadecimal(protocols::sha256(*bytes));
+        record.brightness = {match.mean_before, match.target, match.gain, match.clipped_share};
+        records.emplace(picture, std::move(record));
+    }
+    return records;
+}
+
+} // namespace experiment::stimuli

@@ -1,0 +1,84 @@
+// One scene's model in video memory, prepared for every method the study compares on it.
+#pragma once
+
+#include "experiment/stimuli/manifest.h"
+#include "experiment/study_folder.h"
+#include "protocols/study.h"
+#include "renderer/geometry/mesh.h"
+#include "renderer/methods/method.h"
+
+#include <tl/expected.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace experiment::stimuli {
+
+/// stimuli/<scene>/<variant>/<condition>.png
+std::filesystem::path png_file(const StudyFolder& folder, const protocols::Picture& picture);
+
+/// A model as the renderer needs it: welded, closed, oriented; `remarks` say what was mended.
+struct LoadedModel {
+    renderer::geometry::Mesh mesh;
+    ModelRecord record;
+    std::vector<std::string> remarks;
+};
+
+/// Finds, reads and prepares a scene's model.  Errors: where it was looked for, or what is wrong
+/// with it.
+tl::expected<LoadedModel, std::string> load_model(const protocols::Scene& scene,
+                                                  const StudyFolder& folder);
+
+/// Needs a current OpenGL context, and has to be gone before that is.
+class SceneRenderer {
+  public:
+    /// Traces the thickness the conditions ask for and prepares every method.
+    /// Errors: an unknown material, what the tracing or a method refuses.
+    static tl::expected<SceneRenderer, std::string>
+    prepare(const protocols::Study& study,
+            const protocols::Scene& scene,
+            LoadedModel model,
+            int samples,
+            const std::function<void(double)>& progress);
+
+    /// Draws all rendered conditions under one light, equalises their brightness and writes them.
+    tl::expected<std::map<protocols::Picture, PictureRecord>, std::string>
+    render(const protocols::Variant& variant, const StudyFolder& folder);
+
+    const ModelRecord& model() const { return model_.record; }
+
+    const std::vector<std::string>& remarks() const { return model_.remarks; }
+
+  private:
+    /// A condition that is rendered, ready to draw.
+    struct Contender {
+        const protocols::Condition* condition = nullptr;
+        std::unique_ptr<renderer::methods::Method> method;
+        double precompute_seconds = 0;
+    };
+
+    struct Drawn;
+
+    SceneRenderer(const protocols::Study& study,
+                  const protocols::Scene& scene,
+                  LoadedModel model,
+                  int samples)
+        : study_(&study), scene_(&scene), model_(std::move(model)), samples_(samples) {}
+
+    tl::expected<void, std::string> prepare_contenders(const std::function<void(double)>& progress);
+    renderer::Scene lit_by(const protocols::Variant& variant) const;
+    tl::expected<std::vector<Drawn>, std::string> draw_all(const protocols::Variant& variant);
+
+    const protocols::Study* study_;
+    const protocols::Scene* scene_;
+    LoadedModel model_;
+    int samples_;
+    renderer::Material material_;
+    std::vector<Contender> contenders_;
+};
+
+} // namespace experiment::stimuli

@@ -1,0 +1,112 @@
+// A study's conditions keep the order of its file; a table's come in order of appearance.
+#include "experiment/vote_source.h"
+
+#include "analysis/vote_csv.h"
+#include "experiment/store/sqlite_store.h"
+#include "experiment/store/words.h"
+#include "experiment/tables.h"
+#include "experiment/text_files.h"
+#include "protocols/digest.h"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+namespace experiment {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string digest(const std::string& text) {
+    return protocols::hexadecimal(protocols::sha256(text));
+}
+
+analysis::VoteRow for_analysis(const store::VoteRow& row, bool with_variants) {
+    analysis::VoteRow vote{.observer = row.observer.value,
+                           .session = fmt::format("{}", row.session),
+                           .trial = row.trial,
+                           .scene = {row.pair.scene.value},
+                           .left = row.pair.left.value,
+                           .right = row.pair.right.value,
+                           .chosen = row.chosen,
+                           .response_ms = static_cast<std::int32_t>(row.response_time.count())};
+    if (with_variants)
+        vote.scene.push_back(row.pair.variant.value);
+    return vote;
+}
+
+tl::expected<VoteSource, std::string> from_study(const fs::path& path) {
+    auto loaded = read_study(path);
+    if (!loaded)
+        return tl::unexpected(loaded.error());
+    const auto rows = stored_votes(*loaded);
+    if (!rows)
+        return tl::unexpected(rows.error());
+    const bool with_variants = !loaded->study.variants.empty();
+    auto table =
+        analysis::empty_vote_table(with_variants ? std::vector<std::string>{"scene", "variant"}
+                                                 : std::vector<std::string>{"scene"});
+    table.study = loaded->study.id;
+    for (const auto& condition : loaded->study.conditions)
+        table.conditions.code(condition.id.value);
+    for (const auto& row : *rows) {
+        analysis::append_vote(table, for_analysis(row, with_variants));
+        table.simulated = table.simulated || row.simulated;
+    }
+    return VoteSource{std::move(table), loaded->study.title, digest(long_csv(*rows)),
+                      std::move(*loaded)};
+}
+
+tl::expected<VoteSource, std::string> from_table(const fs::path& path) {
+    const auto text = read_text_file(path);
+    if (!text)
+        return tl::unexpected(text.error());
+    auto table = analysis::read_votes_csv(*text, path.string());
+    if (!table)
+        return tl::unexpected(table.error());
+    if (table->size() == 0)
+        return tl::unexpected(fmt::format("{}: has no votes", path.string()));
+    return VoteSource{std::move(*table), path.filename().string(), digest(*text), std::nullopt};
+}
+
+} // namespace
+
+tl::expected<VoteSource, std::string> read_votes(const fs::path& path) {
+    const bool is_study = fs::is_directory(path) || path.filename() == "study.toml";
+    return is_study ? from_study(path) : from_table(path);
+}
+
+tl::expected<std::vector<store::VoteRow>, std::string> stored_votes(const LoadedStudy& loaded) {
+    const auto file = loaded.folder.votes();
+    const auto none = [&] {
+        return tl::unexpected(
+            fmt::format("{}: there are no votes yet; `pairlight session` or `pairlight "
+                        "simulate` makes some",
+                        file.string()));
+    };
+    if (!fs::exists(file))
+        return none();
+    const auto store = store::open_votes(file);
+    if (!store)
+        return tl::unexpected(store.error());
+    auto rows = (*store)->votes();
+    if (rows && rows->empty())
+        return none();
+    return rows;
+}
+
+std::string long_csv(const std::vector<store::VoteRow>& rows) {
+    std::string table =
+        "study,observer,session,trial,scene,variant,left,right,chosen,rt_ms,onset_utc,simulated\n";
+    for (const auto& row : rows)
+        table += csv_row({row.study, row.observer.value, fmt::format("{}", row.session),
+                          fmt::format("{}", row.trial), row.pair.scene.value,
+                          row.pair.variant.value, row.pair.left.value, row.pair.right.value,
+                          std::string(store::word_of(row.chosen)),
+                          fmt::format("{}", row.response_time.count()), row.onset_utc,
+                          row.simulated ? "1" : "0"});
+    return table;
+}
+
+} // namespace experiment
