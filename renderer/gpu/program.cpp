@@ -4,6 +4,8 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 
 namespace renderer::gpu {
@@ -20,17 +22,20 @@ void delete_program(unsigned name) {
 
 std::string source(std::span<const ShaderPart> parts) {
     std::string text = "#version 450 core\n";
-    int number = 0;
     for (const auto& part : parts)
-        text += fmt::format("#line 1 {}\n{}\n", ++number, part.text);
+        text += fmt::format("{}\n", part.text);
     return text;
 }
 
-std::string names(std::span<const ShaderPart> parts) {
+// A #line directive with a number for every part would be shorter, but Mesa's log leaves the number
+// out.
+std::string places(std::span<const ShaderPart> parts) {
     std::string list;
-    int number = 0;
-    for (const auto& part : parts)
-        list += fmt::format("{}{} = {}", list.empty() ? "" : ", ", ++number, part.name);
+    std::ptrdiff_t line = 2;
+    for (const auto& part : parts) {
+        list += fmt::format("{}{} from line {}", list.empty() ? "" : ", ", part.name, line);
+        line += 1 + std::count(part.text.begin(), part.text.end(), '\n');
+    }
     return list;
 }
 
@@ -61,7 +66,7 @@ Expected<Object> compile(GLenum kind, std::span<const ShaderPart> parts) {
     glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
     if (compiled == GL_FALSE)
         return tl::make_unexpected(
-            fmt::format("shader ({}): {}", names(parts), shader_log(shader.name())));
+            fmt::format("shader ({}): {}", places(parts), shader_log(shader.name())));
     return shader;
 }
 
@@ -85,8 +90,8 @@ Expected<Program> Program::link(std::span<const ShaderPart> vertex,
     GLint linked = GL_FALSE;
     glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
     if (linked == GL_FALSE)
-        return tl::make_unexpected(fmt::format("linking ({}) with ({}): {}", names(vertex),
-                                               names(fragment), program_log(program.name())));
+        return tl::make_unexpected(fmt::format("linking ({}) with ({}): {}", places(vertex),
+                                               places(fragment), program_log(program.name())));
     return Program(std::move(program));
 }
 

@@ -18,8 +18,7 @@ struct ShaderPart {
 class Program {
   public:
     /// Compiles `#version 450 core` and the parts in their order.
-    /// Errors: the driver's log; its source numbers 1, 2, ... are the parts in their order, and the
-    /// message says which file each is.
+    /// Errors: the driver's log, and at which of its lines each part begins.
     static Expected<Program> link(std::span<const ShaderPart> vertex,
                                   std::span<const ShaderPart> fragment);
 
