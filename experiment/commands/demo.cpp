@@ -1,5 +1,6 @@
 // pairlight demo: the quick study from an empty folder to a finished report.
 #include "experiment/commands/commands.h"
+#include "experiment/commands/sittings.h"
 #include "experiment/commands/steps.h"
 #include "experiment/progress.h"
 

@@ -1,0 +1,52 @@
+// pairlight session: one sitting of one observer.
+#include "experiment/commands/commands.h"
+#include "experiment/commands/sittings.h"
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+namespace experiment::commands {
+
+namespace {
+
+struct Options {
+    std::string study;
+    std::string observer;
+    int session = 0;
+    std::optional<std::string> simulate;
+    WindowOptions window;
+    Voice voice;
+};
+
+void run(const Options& options) {
+    const auto loaded = value_or_stop(read_study(options.study));
+    const protocols::ObserverId observer{options.observer};
+    const int session = options.session > 0 ? options.session : next_session(loaded, observer);
+    const auto outcome = options.simulate ? simulate_sitting(loaded, observer, session, *options.simulate, 0)
+                                          : sit(loaded, observer, session, options.window, options.voice);
+    fmt::print("{}: sitting {}, {} votes, {}\n", options.observer, session, outcome.votes,
+               outcome.finished ? "finished" : "not finished");
+}
+
+}  // namespace
+
+void add_session(CLI::App& program) {
+    const auto options = std::make_shared<Options>();
+    auto* command = program.add_subcommand("session", "One sitting of one observer; an unfinished one goes on");
+    command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
+    command->add_option("--observer", options->observer, "The observer's pseudonym, never a name")->required();
+    command->add_option("--session", options->session, "Which sitting; without it, the next one")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--simulate", options->simulate,
+                        "Vote by a simulated observer, such as \"scores=a:1,b:0;noise=1;seed=7\"; no window");
+    command->add_option("--window", options->window.size, "A window of this size, such as 1280x720, not the full screen");
+    command->add_option("--monitor", options->window.monitor, "Which monitor, from 0")->check(CLI::NonNegativeNumber);
+    command->add_option("--override-days", options->window.override_reason,
+                        "Sit earlier than the study allows, for this reason; it is recorded");
+    add_voice(*command, options->voice);
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace experiment::commands

@@ -1,0 +1,35 @@
+// pairlight simulate: a whole experiment by simulated observers, through the same session code.
+#include "experiment/commands/commands.h"
+#include "experiment/commands/sittings.h"
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+namespace experiment::commands {
+
+void add_simulate(CLI::App& program) {
+    struct Options {
+        std::string study;
+        int observers = 10;
+        std::string specification;
+        Voice voice;
+    };
+    const auto options = std::make_shared<Options>();
+    auto* command = program.add_subcommand(
+        "simulate", "A whole experiment by simulated observers; their votes are marked as such everywhere");
+    command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
+    command->add_option("--observers", options->observers, "How many")->check(CLI::Range(1, 999))->required();
+    command->add_option("--observer-spec", options->specification,
+                        "True scores, noise, bias, lapses and seed, such as \"scores=a:1,b:0;noise=1;seed=7\"");
+    add_voice(*command, options->voice);
+    command->callback([options] {
+        const auto loaded = value_or_stop(read_study(options->study));
+        simulate_observers(loaded, options->observers, options->specification, options->voice);
+        fmt::print("{}: {} simulated observers have finished {} sittings each\n", loaded.folder.votes().string(),
+                   options->observers, loaded.study.plan.sessions);
+    });
+}
+
+}  // namespace experiment::commands

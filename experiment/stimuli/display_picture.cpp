@@ -1,0 +1,51 @@
+// Stimuli are stored with 16 bits, and displays are sent 8.
+#include "experiment/stimuli/display_picture.h"
+
+#include "experiment/stimuli/scene_renderer.h"
+#include "renderer/imaging/image_files.h"
+
+#include <fmt/core.h>
+
+namespace experiment::stimuli {
+
+namespace imaging = renderer::imaging;
+
+namespace {
+
+imaging::LinearImage linear(const imaging::EncodedImage& image) {
+    imaging::LinearImage light{image.width, image.height, {}, {}};
+    const auto pixels = image.codes.size() / 3;
+    light.coverage.assign(pixels, 1.0F);
+    light.pixels.reserve(pixels);
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+        light.pixels.push_back(imaging::light_at(image, pixel));
+    return light;
+}
+
+}  // namespace
+
+tl::expected<std::filesystem::path, std::string> find_picture(const LoadedStudy& loaded,
+                                                              const protocols::Picture& picture) {
+    auto file = png_file(loaded.folder, picture);
+    if (!std::filesystem::exists(file))
+        return tl::unexpected(fmt::format("{}: is missing; `pairlight render {}` makes the stimuli", file.string(),
+                                          loaded.folder.root.string()));
+    return file;
+}
+
+tl::expected<imaging::EncodedImage, std::string> picture_for_display(const LoadedStudy& loaded,
+                                                                     const protocols::Picture& picture) {
+    const auto file = find_picture(loaded, picture);
+    if (!file)
+        return tl::unexpected(file.error());
+    auto read = imaging::read_encoded(*file);
+    if (!read)
+        return tl::unexpected(read.error());
+    const auto& image = read->image;
+    if (image.width != loaded.study.width || image.height != loaded.study.height)
+        return tl::unexpected(fmt::format("{}: is {}x{} pixels, the study says {}x{}", file->string(), image.width,
+                                          image.height, loaded.study.width, loaded.study.height));
+    return image.bits == 8 ? image : imaging::encode_8bit(linear(image));
+}
+
+}  // namespace experiment::stimuli
