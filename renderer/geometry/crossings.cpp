@@ -1,0 +1,190 @@
+// The walk along a ray from its far end, its retries and its last resort.
+#include "renderer/geometry/crossings.h"
+
+#include "renderer/contract.h"
+#include "renderer/geometry/winding.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace renderer::geometry {
+
+namespace {
+
+// Scene units are diameters.  Closer than this, a float cannot tell a crossing from the origin.
+constexpr float nearest_crossing = 1e-6f;
+
+// Shorter stretches have no side: the order of two crossings of a sharp edge is lost in rounding.
+constexpr float shortest_gap = 1e-6f;
+
+constexpr int attempts = 4; // the ray itself, then three beside it
+constexpr double jitter = 1e-5;
+
+/// Two distances that would be one in exact arithmetic: 8 ulp apart at most.
+bool is_same_place(float a, float b) {
+    return std::abs(a - b) <= 8 * std::numeric_limits<float>::epsilon() * std::max(a, b);
+}
+
+/// The direction itself, then three turned by 1e-5 rad a third of a circle apart.
+glm::dvec3 jittered(glm::dvec3 direction, int attempt) {
+    if (attempt == 0)
+        return direction;
+    const glm::dvec3 aside =
+        std::abs(direction.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 u = glm::normalize(glm::cross(direction, aside)), v = glm::cross(direction, u);
+    const double angle = 2.0943951 * attempt + 0.5;
+    return glm::normalize(direction + jitter * (std::cos(angle) * u + std::sin(angle) * v));
+}
+
+} // namespace
+
+RayStatistics& RayStatistics::operator+=(const RayStatistics& other) {
+    rays += other.rays;
+    retried += other.retried;
+    fallbacks += other.fallbacks;
+    return *this;
+}
+
+std::span<const Segment> InteriorTracer::from_vertex(std::uint32_t vertex, glm::dvec3 direction) {
+    EXPECTS(vertex < scene_->positions().size());
+    return trace({scene_->positions()[vertex], vertex}, direction);
+}
+
+std::span<const Segment> InteriorTracer::from_point(glm::dvec3 point, glm::dvec3 direction) {
+    return trace({glm::vec3(scene_->scene_from_model(point)), std::nullopt}, direction);
+}
+
+std::span<const Segment> InteriorTracer::trace(const Origin& origin, glm::dvec3 direction) {
+    EXPECTS(std::abs(glm::dot(direction, direction) - 1) <= 2e-6);
+    ++statistics_.rays;
+    doubtful_.clear();
+    int attempt = 0;
+    while (attempt < attempts && !resolve(origin, jittered(direction, attempt)))
+        ++attempt;
+    if (attempt > 0)
+        ++statistics_.retried;
+    if (attempt == attempts) {
+        ++statistics_.fallbacks;
+        classify_gaps(origin, direction);
+    }
+    std::reverse(segments_.begin(), segments_.end());
+    for (auto& [begin, end] : segments_) {
+        begin *= scene_->model_per_scene();
+        end *= scene_->model_per_scene();
+    }
+    return segments_;
+}
+
+/// Fills `segments_`, in scene units and farthest first; false when the answer is in doubt.
+bool InteriorTracer::resolve(const Origin& origin, glm::dvec3 direction) {
+    collect(origin, direction);
+    if (!merge()) {
+        doubtful_.clear();
+        return false;
+    }
+    return walk() || is_confirmed();
+}
+
+/// Whether the neighbour that was in doubt met the surface in the same senses one after the other.
+/// Two rays do not lose the same crossing: then what looked odd is the shape of the surface.
+bool InteriorTracer::is_confirmed() {
+    std::vector<bool> senses;
+    for (const Hit& hit : hits_)
+        senses.push_back(hit.leaving);
+    const bool agrees = senses == doubtful_;
+    doubtful_ = std::move(senses);
+    return agrees;
+}
+
+/// Crossings of the ray, farthest first; of equally far ones those that leave come first, so that
+/// the count never dips below zero for an order that only rounding made.
+void InteriorTracer::collect(const Origin& origin, glm::dvec3 direction) {
+    scene_->all_hits(origin.position, glm::vec3(direction), nearest_crossing, hits_);
+    if (origin.vertex)
+        std::erase_if(hits_, [&](const Hit& hit) {
+            const auto& [a, b, c] = scene_->triangles()[hit.triangle];
+            return a == *origin.vertex || b == *origin.vertex || c == *origin.vertex;
+        });
+    std::sort(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) {
+        if (a.distance != b.distance)
+            return a.distance > b.distance;
+        if (a.leaving != b.leaving)
+            return a.leaving;
+        return a.triangle < b.triangle;
+    });
+}
+
+/// A ray through an edge or a vertex meets several triangles in one place: one crossing, if they
+/// agree about its sense.  False when they do not: then the ray grazes, and neither count is sure.
+bool InteriorTracer::merge() {
+    std::size_t kept = 0;
+    for (const Hit& hit : hits_) {
+        bool is_new = true;
+        for (std::size_t i = kept; i-- > 0 && is_same_place(hits_[i].distance, hit.distance);)
+            if (share_a_corner(hits_[i].triangle, hit.triangle)) {
+                if (hits_[i].leaving != hit.leaving)
+                    return false;
+                is_new = false;
+            }
+        if (is_new)
+            hits_[kept++] = hit;
+    }
+    hits_.resize(kept);
+    return true;
+}
+
+/// Fills `segments_`; true when the count is one that a single body gives: at every place and in
+/// the end none or one, more only in between.
+bool InteriorTracer::walk() {
+    segments_.clear();
+    bool is_ordinary = true;
+    int enclosing = 0;
+    float end = 0;
+    for (std::size_t i = 0; i < hits_.size(); ++i) {
+        const auto& [distance, triangle, leaving] = hits_[i];
+        const bool was_inside = enclosing >= 1;
+        enclosing += leaving ? 1 : -1;
+        const bool is_inside = enclosing >= 1;
+        const float next = i + 1 < hits_.size() ? hits_[i + 1].distance : 0;
+        if (enclosing < 0 && distance - next > shortest_gap)
+            is_ordinary = false;
+        if (!was_inside && is_inside)
+            end = distance;
+        if (was_inside && !is_inside && distance < end)
+            segments_.push_back({distance, end});
+    }
+    if (enclosing >= 1)
+        segments_.push_back({0, end});
+    return is_ordinary && (enclosing == 0 || enclosing == 1);
+}
+
+/// The last resort: each gap between crossings is inside when the surface winds around its middle.
+void InteriorTracer::classify_gaps(const Origin& origin, glm::dvec3 direction) {
+    collect(origin, direction);
+    segments_.clear();
+    for (std::size_t i = 0; i < hits_.size(); ++i) {
+        const float end = hits_[i].distance;
+        const float begin = i + 1 < hits_.size() ? hits_[i + 1].distance : 0;
+        if (end - begin <= shortest_gap)
+            continue;
+        const glm::dvec3 middle = glm::dvec3(origin.position) + 0.5 * (begin + end) * direction;
+        if (winding_number(scene_->positions(), scene_->triangles(), middle) <= 0.5)
+            continue;
+        if (!segments_.empty() && segments_.back().begin - end <= shortest_gap)
+            segments_.back().begin = begin;
+        else
+            segments_.push_back({begin, end});
+    }
+}
+
+bool InteriorTracer::share_a_corner(std::uint32_t a, std::uint32_t b) const {
+    const auto& first = scene_->triangles()[a];
+    const auto& second = scene_->triangles()[b];
+    return std::find_first_of(first.begin(), first.end(), second.begin(), second.end()) !=
+           first.end();
+}
+
+} // namespace renderer::geometry

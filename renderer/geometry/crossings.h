@@ -1,0 +1,76 @@
+// Where a ray is inside the material: all its crossings of the surface, walked from the far end.
+//
+// The far end of a ray is outside; every crossing changes how many surfaces enclose the ray by one,
+// and the state at the origin is derived, never guessed from a normal.  A count outside what one
+// body gives is asked again a hair beside: where the surface overlaps or folds through itself (most
+// scans do somewhere), the neighbour sees the same; where a ray grazed an edge, it does not.  When
+// no two rays agree, every gap between crossings is classified by its winding number.
+#pragma once
+
+#include "renderer/geometry/ray_scene.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace renderer::geometry {
+
+/// A stretch of a ray inside the material: distances from the origin, model units, begin < end.
+struct Segment {
+    double begin = 0; ///< exactly 0 when the ray starts inside
+    double end = 0;
+};
+
+/// What the tracing met, over all rays.
+struct RayStatistics {
+    std::uint64_t rays = 0;
+    std::uint64_t retried = 0;   ///< asked again with the direction jittered
+    std::uint64_t fallbacks = 0; ///< classified by winding number in the end
+
+    RayStatistics& operator+=(const RayStatistics& other);
+};
+
+/// Follows rays through one closed surface, one at a time; every thread makes its own.  The answers
+/// depend on the ray alone, not on what was asked before.
+///
+/// Overlapping bodies of one material count once; a component that faces inward is a cavity; where
+/// a fold turns the surface inside out, there is nothing.
+class InteriorTracer {
+  public:
+    /// `scene` must outlive the tracer.
+    explicit InteriorTracer(const RayScene& scene) : scene_(&scene) {}
+
+    /// Stretches inside the material on the ray from a vertex of the mesh, nearest first.  The
+    /// triangles that meet in the vertex are not crossings.  Valid until the next question.
+    /// Errors: EXPECTS a vertex there is and a unit direction (1e-6).
+    std::span<const Segment> from_vertex(std::uint32_t vertex, glm::dvec3 direction);
+
+    /// The same from any point, in model coordinates, inside or outside.
+    std::span<const Segment> from_point(glm::dvec3 point, glm::dvec3 direction);
+
+    const RayStatistics& statistics() const { return statistics_; }
+
+  private:
+    struct Origin {
+        glm::vec3 position; // scene coordinates
+        std::optional<std::uint32_t> vertex;
+    };
+
+    std::span<const Segment> trace(const Origin& origin, glm::dvec3 direction);
+    bool resolve(const Origin& origin, glm::dvec3 direction);
+    void collect(const Origin& origin, glm::dvec3 direction);
+    bool merge();
+    bool walk();
+    bool is_confirmed();
+    void classify_gaps(const Origin& origin, glm::dvec3 direction);
+    bool share_a_corner(std::uint32_t a, std::uint32_t b) const;
+
+    const RayScene* scene_;
+    RayStatistics statistics_;
+    std::vector<Hit> hits_;         // of the ray in hand, farthest first
+    std::vector<Segment> segments_; // of the ray in hand
+    std::vector<bool> doubtful_;    // senses of the crossings of the neighbour that was in doubt
+};
+
+} // namespace renderer::geometry

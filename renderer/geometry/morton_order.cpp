@@ -1,0 +1,41 @@
+// Morton codes of 21 bits per coordinate.
+#include "renderer/geometry/morton_order.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace renderer::geometry {
+
+namespace {
+
+/// Inserts two zero bits before each of the lowest 21 bits.
+std::uint64_t spread(std::uint64_t x) {
+    x &= 0x1fffff;
+    x = (x | x << 32) & 0x1f00000000ffff;
+    x = (x | x << 16) & 0x1f0000ff0000ff;
+    x = (x | x << 8) & 0x100f00f00f00f00f;
+    x = (x | x << 4) & 0x10c30c30c30c30c3;
+    x = (x | x << 2) & 0x1249249249249249;
+    return x;
+}
+
+std::uint64_t cell(float coordinate) {
+    return static_cast<std::uint64_t>(std::clamp(coordinate + 0.5, 0.0, 1.0) * 0x1fffff);
+}
+
+} // namespace
+
+std::vector<std::uint32_t> morton_order(std::span<const glm::vec3> positions) {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed;
+    for (std::uint32_t v = 0; v < positions.size(); ++v) {
+        const auto& p = positions[v];
+        keyed.emplace_back(spread(cell(p.x)) | spread(cell(p.y)) << 1 | spread(cell(p.z)) << 2, v);
+    }
+    std::sort(keyed.begin(), keyed.end());
+    std::vector<std::uint32_t> order;
+    for (const auto& [code, v] : keyed)
+        order.push_back(v);
+    return order;
+}
+
+} // namespace renderer::geometry

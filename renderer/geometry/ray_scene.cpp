@@ -1,0 +1,176 @@
+// Rays through a mesh by Embree 3 or 4; everything in which the two differ is in this file.
+#include "renderer/geometry/ray_scene.h"
+
+#include "renderer/contract.h"
+
+#if __has_include(<embree3/rtcore.h>)
+#include <embree3/rtcore.h>
+#else
+#include <embree4/rtcore.h>
+#endif
+#include <fmt/format.h>
+#include <xmmintrin.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+namespace renderer::geometry {
+
+namespace {
+
+#if RTC_VERSION_MAJOR < 4
+using QueryContext = RTCIntersectContext;
+#else
+using QueryContext = RTCRayQueryContext;
+#endif
+
+/// What the filter is handed with every hit: where to put it.
+struct Collector {
+    QueryContext context; // first, so that a pointer to it is a pointer to the collector
+    std::vector<Hit>* hits;
+};
+
+/// Notes the hit and refuses it, so that the ray goes on.
+void collect(const RTCFilterFunctionNArguments* arguments) {
+    const auto* collector = reinterpret_cast<const Collector*>(arguments->context);
+    const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray); // scalar queries: N is 1
+    const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
+    const float along = hit->Ng_x * ray->dir_x + hit->Ng_y * ray->dir_y + hit->Ng_z * ray->dir_z;
+    collector->hits->push_back({ray->tfar, hit->primID, along > 0});
+    arguments->valid[0] = 0;
+}
+
+void occluded(RTCScene scene, Collector& collector, RTCRay& ray) {
+#if RTC_VERSION_MAJOR < 4
+    rtcInitIntersectContext(&collector.context);
+    collector.context.filter = collect;
+    rtcOccluded1(scene, &collector.context, &ray);
+#else
+    rtcInitRayQueryContext(&collector.context);
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+    arguments.context = &collector.context;
+    arguments.filter = collect;
+    rtcOccluded1(scene, &ray, &arguments);
+#endif
+}
+
+RTCSceneFlags scene_flags() {
+    // Robust: neighbours agree about their common edge, so that no ray slips through between them.
+#if RTC_VERSION_MAJOR < 4
+    return static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
+                                      RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+#else
+    return static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
+                                      RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS);
+#endif
+}
+
+template <class T>
+void fill(RTCGeometry geometry,
+          RTCBufferType type,
+          RTCFormat format,
+          const std::vector<T>& values) {
+    void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), values.size());
+    if (buffer == nullptr)
+        throw std::runtime_error(fmt::format("Embree has no room for {} elements", values.size()));
+    std::memcpy(buffer, values.data(), sizeof(T) * values.size());
+}
+
+bool is_finite(glm::dvec3 p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+} // namespace
+
+DenormalsAreZero::DenormalsAreZero() : before_(_mm_getcsr()) {
+    constexpr unsigned flush_to_zero = 0x8000, denormals_are_zero = 0x0040;
+    _mm_setcsr(before_ | flush_to_zero | denormals_are_zero);
+}
+
+DenormalsAreZero::~DenormalsAreZero() {
+    _mm_setcsr(before_);
+}
+
+struct RayScene::Handles {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+
+    Handles() = default;
+    Handles(const Handles&) = delete;
+    Handles& operator=(const Handles&) = delete;
+
+    ~Handles() {
+        if (scene != nullptr)
+            rtcReleaseScene(scene);
+        if (device != nullptr)
+            rtcReleaseDevice(device);
+    }
+};
+
+RayScene::RayScene(const Mesh& mesh)
+    : triangles_(mesh.triangles), handles_(std::make_unique<Handles>()) {
+    for (const auto& position : mesh.positions)
+        EXPECTS(is_finite(position));
+    for (const auto& triangle : mesh.triangles)
+        for (const auto corner : triangle)
+            EXPECTS(corner < mesh.positions.size());
+    const auto bounds = bounding_sphere(mesh);
+    EXPECTS(bounds.radius > 0);
+    centre_ = bounds.centre;
+    model_per_scene_ = 2 * bounds.radius;
+    for (const auto& position : mesh.positions)
+        positions_.emplace_back(scene_from_model(position));
+
+    const DenormalsAreZero guard;
+    handles_->device = rtcNewDevice(nullptr);
+    if (handles_->device == nullptr)
+        throw std::runtime_error(fmt::format("Embree cannot start (error {})",
+                                             static_cast<int>(rtcGetDeviceError(nullptr))));
+    handles_->scene = rtcNewScene(handles_->device);
+    rtcSetSceneFlags(handles_->scene, scene_flags());
+    // Never HIGH: its spatial splits report one triangle several times.
+    rtcSetSceneBuildQuality(handles_->scene, RTC_BUILD_QUALITY_MEDIUM);
+    RTCGeometry geometry = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    fill(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, positions_);
+    fill(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, triangles_);
+#if RTC_VERSION_MAJOR >= 4
+    rtcSetGeometryEnableFilterFunctionFromArguments(geometry, true);
+#endif
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(handles_->scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(handles_->scene);
+    if (const auto error = rtcGetDeviceError(handles_->device); error != RTC_ERROR_NONE)
+        throw std::runtime_error(
+            fmt::format("Embree cannot build a scene of {} triangles (error {})", triangles_.size(),
+                        static_cast<int>(error)));
+}
+
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+void RayScene::all_hits(glm::vec3 origin,
+                        glm::vec3 direction,
+                        float nearest,
+                        std::vector<Hit>& hits) const {
+    hits.clear();
+    RTCRay ray{};
+    ray.org_x = origin.x;
+    ray.org_y = origin.y;
+    ray.org_z = origin.z;
+    ray.dir_x = direction.x;
+    ray.dir_y = direction.y;
+    ray.dir_z = direction.z;
+    ray.tnear = nearest;
+    ray.tfar = std::numeric_limits<float>::infinity();
+    ray.mask = ~0u;
+    Collector collector{{}, &hits};
+    occluded(handles_->scene, collector, ray);
+}
+
+} // namespace renderer::geometry

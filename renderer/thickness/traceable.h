@@ -1,0 +1,17 @@
+// Whether a mesh has an inside at all: what must hold before thickness means anything.
+#pragma once
+
+#include "renderer/expected.h"
+#include "renderer/geometry/mesh.h"
+#include "renderer/geometry/ray_scene.h"
+
+namespace renderer::thickness {
+
+/// Fails unless the mesh has triangles and finite positions, every edge is run through as often in
+/// one sense as in the other, and the volume is positive.
+Expected<void> check_closed(const geometry::Mesh& mesh);
+
+/// Fails when a component faces inward that is not a cavity in another one.
+Expected<void> check_components_face_outward(const geometry::RayScene& scene);
+
+} // namespace renderer::thickness
