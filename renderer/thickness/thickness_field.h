@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/expected.h"
+#include "renderer/geometry/crossings.h"
 #include "renderer/geometry/mesh.h"
 
 #include <cstddef>
@@ -27,28 +28,23 @@ struct FieldOptions {
     std::uint64_t rotation_seed = 1;
 };
 
-/// What the tracing met, over all rays.
-struct RayStatistics {
-    std::uint64_t rays = 0;
-    std::uint64_t retried = 0;   ///< crossings did not add up and the direction was jittered
-    std::uint64_t fallbacks = 0; ///< classified by winding number in the end
-};
-
 /// Coefficients of all vertices of one mesh.  Lengths in model units.
 struct ThicknessField {
     int bands = 0;
     std::vector<float> coefficients; ///< vertex-major: vertex v has coefficients[v*bands^2 ..)
     std::vector<double> energy;      ///< per vertex: integral of d^2 over the sphere
     double d_n = 0; ///< 99.5th percentile of the positive thickness, area and solid angle weighted
-    RayStatistics statistics;
+    geometry::RayStatistics statistics{};
 };
 
+/// Called as blocks of vertices are finished, by one thread at a time, with growing fractions up
+/// to 1.
 using Progress = std::function<void(double fraction)>;
 
 /// Traces and projects the thickness at every vertex of a prepared (welded, oriented) mesh.
 /// Deterministic: the result does not depend on the number of threads.
-/// Errors: a mesh that is not closed and consistently oriented; more than 1e-4 of the rays
-/// unresolved.
+/// Errors: a mesh that is not closed and consistently oriented; fewer directions than twice the
+/// coefficients; more than 1e-4 of the rays unresolved.  EXPECTS bands 1..6, indices in range.
 Expected<ThicknessField> compute_thickness_field(const geometry::Mesh& mesh,
                                                  const FieldOptions& options,
                                                  const Progress& progress = {});
