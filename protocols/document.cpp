@@ -1,0 +1,73 @@
+// The one door to toml++.
+#include "protocols/document.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+namespace protocols {
+
+namespace {
+
+int line_of(const toml::source_region& source) {
+    return std::max(1, static_cast<int>(source.begin.line));
+}
+
+Node to_node(const toml::node& node);
+
+Table to_table(const toml::table& table) {
+    Table entries;
+    for (const auto& [key, value] : table)
+        entries.push_back({std::string(key.str()), line_of(key.source()), to_node(value)});
+    return entries;
+}
+
+List to_list(const toml::array& array) {
+    List nodes;
+    for (const auto& element : array)
+        nodes.push_back(to_node(element));
+    return nodes;
+}
+
+Node to_node(const toml::node& node) {
+    const int line = line_of(node.source());
+    if (const auto* table = node.as_table())
+        return {to_table(*table), line};
+    if (const auto* array = node.as_array())
+        return {to_list(*array), line};
+    if (const auto* text = node.as_string())
+        return {text->get(), line};
+    if (const auto* whole = node.as_integer())
+        return {whole->get(), line};
+    if (const auto* number = node.as_floating_point())
+        return {number->get(), line};
+    if (const auto* truth = node.as_boolean())
+        return {truth->get(), line};
+    return {Moment{}, line};
+}
+
+} // namespace
+
+Expected<Table> read_document(std::string_view text, std::string_view file_name) {
+    try {
+        return to_table(toml::parse(text, file_name));
+    } catch (const toml::parse_error& error) {
+        return tl::unexpected(fmt::format("{}:{}: not TOML: {}", file_name, line_of(error.source()),
+                                          error.description()));
+    }
+}
+
+std::string shown(const Node& node) {
+    if (const auto* text = std::get_if<std::string>(&node.value))
+        return fmt::format("\"{}\"", *text);
+    if (const auto* whole = std::get_if<std::int64_t>(&node.value))
+        return fmt::format("{}", *whole);
+    if (const auto* number = std::get_if<double>(&node.value))
+        return fmt::format("{}", *number);
+    if (const auto* truth = std::get_if<bool>(&node.value))
+        return *truth ? "true" : "false";
+    if (std::holds_alternative<List>(node.value))
+        return "a list";
+    return std::holds_alternative<Table>(node.value) ? "a table" : "a date or time";
+}
+
+} // namespace protocols

@@ -1,0 +1,233 @@
+// Reads a study, strictly, so that a slip of the pen cannot change an experiment.
+// The form is documented in docs/study-file.md.
+#include "protocols/section.h"
+#include "protocols/study.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace protocols {
+
+namespace {
+
+/// Notes ids that come twice among tables of one kind.
+template <class Item>
+void expect_own_ids(const std::vector<Item>& items, std::string_view kind, Problems& problems) {
+    std::map<std::string, int> lines;
+    for (const auto& item : items)
+        if (const auto [earlier, is_new] = lines.emplace(item.id.value, item.line); !is_new)
+            problems.note(item.line,
+                          fmt::format("id '{}' is already that of the {} at line {}, expected a "
+                                      "name of its own",
+                                      item.id.value, kind, earlier->second));
+}
+
+void read_head(Section section, Study& study) {
+    study.id = section.id();
+    study.title = section.text("title");
+    study.question = section.text("question");
+    study.seed = static_cast<std::uint64_t>(
+        section.whole("seed", {0, std::numeric_limits<std::int64_t>::max()}));
+    study.width = static_cast<int>(section.whole("width", {16, 16384}));
+    study.height = static_cast<int>(section.whole("height", {16, 16384}));
+    section.expect_nothing_else();
+}
+
+Surround read_display(Section section) {
+    Surround surround;
+    if (const auto text = section.text("surround", fmt::format("code:{}", surround.code));
+        !text.empty()) {
+        const auto digits = text.starts_with("code:") ? text.substr(5) : "";
+        const bool is_number = !digits.empty() && digits.size() <= 3 &&
+                               digits.find_first_not_of("0123456789") == std::string::npos;
+        surround.code = is_number ? std::stoi(digits) : 256;
+        if (surround.code > 255)
+            section.refuse("surround", "\"code:0\" to \"code:255\", the grey's 8-bit code value");
+    }
+    section.expect_nothing_else();
+    return surround;
+}
+
+SessionPlan read_plan(Section section) {
+    SessionPlan plan;
+    section.whole("sessions", {1, 100}, plan.sessions);
+    section.whole("days_apart", {0, 365}, plan.days_apart);
+    section.whole("warm_ups", {0, 100}, plan.warm_ups);
+    section.whole("training", {0, 100}, plan.training);
+    section.whole("repetitions", {1, 100}, plan.repetitions);
+    section.whole("grey_ms", {0, 60000}, plan.grey_ms);
+    section.whole("closed_ms", {0, 10000}, plan.closed_ms);
+    section.whole("adapt_s", {0, 3600}, plan.adapt_s);
+    section.whole("break_every", {0, 10000}, plan.break_every);
+    section.whole("gap_px", {16, 2000}, plan.gap_px);
+    section.expect_nothing_else();
+    return plan;
+}
+
+Instructions read_instructions(Section section) {
+    Instructions instructions;
+    instructions.language = section.text("language", instructions.language);
+    const auto file = section.text("file", instructions.file);
+    if (file.starts_with("/") || file.find("..") != std::string::npos)
+        section.refuse("file", "a file inside the study folder");
+    instructions.file = file;
+    section.expect_nothing_else();
+    return instructions;
+}
+
+const std::vector<std::string> all_dials{"bands", "law", "thickness", "directions", "depth_map"};
+
+std::vector<std::string> dials_of(std::string_view method) {
+    if (method == "shss")
+        return {"bands", "law", "thickness", "directions"};
+    if (method == "green")
+        return {"law", "depth_map"};
+    return {};
+}
+
+/// A dial that does nothing would let a study claim a difference that is not there.
+void expect_only_dials(Section& section,
+                       std::string_view owner,
+                       const std::vector<std::string>& dials) {
+    for (const auto& dial : all_dials)
+        if (section.has(dial) && std::find(dials.begin(), dials.end(), dial) == dials.end())
+            section.note(
+                dial,
+                fmt::format("'{}' is no dial of {}, which has {}", dial, owner,
+                            dials.empty() ? "none" : fmt::format("{}", fmt::join(dials, ", "))));
+}
+
+Rendering read_rendering(Section& section, const KnownNames& known) {
+    Rendering rendering;
+    rendering.method = section.one_of("method", known.methods);
+    if (std::find(known.methods.begin(), known.methods.end(), rendering.method) !=
+        known.methods.end())
+        expect_only_dials(section, fmt::format("method '{}'", rendering.method),
+                          dials_of(rendering.method));
+    section.whole("bands", {1, 6}, rendering.bands);
+    rendering.law = section.one_of("law", known.laws, rendering.law);
+    rendering.thickness = section.one_of("thickness", known.thickness_kinds, rendering.thickness);
+    section.whole("directions", {1, 65536}, rendering.directions);
+    section.whole("depth_map", {16, 16384}, rendering.depth_map);
+    if (const int coefficients = rendering.bands * rendering.bands;
+        rendering.directions < coefficients)
+        section.refuse("directions",
+                       fmt::format("at least {}, one for each coefficient of {} bands",
+                                   coefficients, rendering.bands));
+    return rendering;
+}
+
+Condition read_condition(Section section, const KnownNames& known) {
+    Condition condition;
+    condition.line = section.line();
+    condition.id.value = section.id();
+    condition.label = section.text("label", condition.id.value);
+    const bool has_method = section.has("method");
+    if (section.has("source")) {
+        condition.source = OwnImages{};
+        section.one_of("source", {"images"});
+        if (has_method)
+            section.note("method", "a condition with both 'method' and 'source', expected one: its "
+                                   "pictures are rendered, or lie there already");
+        else
+            expect_only_dials(section, "source \"images\"", {});
+    } else if (has_method) {
+        condition.source = read_rendering(section, known);
+    } else {
+        section.note("id", fmt::format("[[condition]] '{}' has no 'method', expected one of {}, or "
+                                       "source = \"images\"",
+                                       condition.id.value, fmt::join(known.methods, ", ")));
+    }
+    for (const auto& dial : all_dials)
+        section.has(dial); // named above where it does not belong
+    section.expect_nothing_else();
+    return condition;
+}
+
+/// What is not rendered needs no model, no material and no light.
+enum class Pictures { Rendered, MadeElsewhere };
+
+Scene read_scene(Section section, const KnownNames& known, Pictures pictures) {
+    const auto missing =
+        pictures == Pictures::Rendered ? std::nullopt : std::optional<std::string>("");
+    Scene scene;
+    scene.line = section.line();
+    scene.id.value = section.id();
+    scene.label = section.text("label", scene.id.value);
+    scene.model = section.text("model", missing);
+    section.number("turn_degrees", {-360, 360}, scene.turn_degrees);
+    section.number("elevation_degrees", {-90, 90}, scene.elevation_degrees);
+    scene.up = section.direction("up", scene.up);
+    section.number("diameter_mm", {0.001, 1e6}, scene.diameter_mm);
+    scene.material = section.one_of("material", known.materials, missing);
+    section.expect_nothing_else();
+    return scene;
+}
+
+Variant read_variant(Section section, Pictures pictures) {
+    Variant variant;
+    variant.line = section.line();
+    variant.id.value = section.id();
+    variant.label = section.text("label", variant.id.value);
+    variant.to_light = section.direction("to_light", pictures == Pictures::Rendered
+                                                         ? std::nullopt
+                                                         : std::optional(variant.to_light));
+    section.expect_nothing_else();
+    return variant;
+}
+
+Study read_study(const Table& root, const KnownNames& known, Problems& problems) {
+    Study study;
+    Section file(root, 1, "the study file", problems);
+    read_head(file.table("study", true), study);
+    study.surround = read_display(file.table("display", false));
+    study.plan = read_plan(file.table("session", false));
+    study.instructions = read_instructions(file.table("instructions", false));
+    for (auto& section : file.tables("condition"))
+        study.conditions.push_back(read_condition(std::move(section), known));
+    const auto pictures =
+        std::any_of(study.conditions.begin(), study.conditions.end(),
+                    [](const Condition& condition) {
+                        return std::holds_alternative<Rendering>(condition.source);
+                    })
+            ? Pictures::Rendered
+            : Pictures::MadeElsewhere;
+    for (auto& section : file.tables("scene"))
+        study.scenes.push_back(read_scene(std::move(section), known, pictures));
+    for (auto& section : file.tables("variant"))
+        study.variants.push_back(read_variant(std::move(section), pictures));
+    file.expect_nothing_else();
+
+    expect_own_ids(study.conditions, "condition", problems);
+    expect_own_ids(study.scenes, "scene", problems);
+    expect_own_ids(study.variants, "variant", problems);
+    if (problems.first())
+        return study; // what follows may only be missing because it could not be read
+    if (study.conditions.size() < 2)
+        problems.note(study.conditions.empty() ? 1 : study.conditions.front().line,
+                      fmt::format("{} [[condition]] in this study, expected at least 2 to compare",
+                                  study.conditions.size()));
+    if (study.scenes.empty())
+        problems.note(1, "0 [[scene]] in this study, expected at least 1 to show");
+    return study;
+}
+
+} // namespace
+
+Expected<Study>
+parse_study(std::string_view text, std::string_view file_name, const KnownNames& known) {
+    const auto document = read_document(text, file_name);
+    if (!document)
+        return tl::unexpected(document.error());
+    Problems problems(file_name);
+    auto study = read_study(*document, known, problems);
+    if (problems.first())
+        return tl::unexpected(*problems.first());
+    return study;
+}
+
+} // namespace protocols

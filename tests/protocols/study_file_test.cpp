@@ -1,0 +1,377 @@
+#include "protocols/study.h"
+
+#include <fmt/format.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+using namespace protocols;
+
+KnownNames known_names() {
+    return {.methods = {"phong", "green", "shss"},
+            .laws = {"paper", "physical"},
+            .thickness_kinds = {"sum", "first", "span"},
+            .materials = {"apple", "chicken1", "chicken2", "cream", "ketchup", "marble", "potato",
+                          "skim-milk", "skin1", "skin2", "spectralon", "whole-milk"}};
+}
+
+std::string contents(const std::string& path_from_root) {
+    std::ifstream file(std::string(PAIRLIGHT_SOURCE_DIR) + "/" + path_from_root);
+    EXPECT_TRUE(file.is_open()) << path_from_root;
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+Study parsed(const std::string& text) {
+    const auto study = parse_study(text, "study.toml", known_names());
+    EXPECT_TRUE(study.has_value()) << (study ? "" : study.error());
+    return study.value_or(Study{});
+}
+
+/// The first complaint about a text, without the file's name: "line: what".
+std::string complaint(const std::string& text) {
+    const auto study = parse_study(text, "study.toml", known_names());
+    EXPECT_FALSE(study.has_value());
+    const auto message = study ? "study.toml:it was read" : study.error();
+    EXPECT_TRUE(message.starts_with("study.toml:")) << message;
+    return message.substr(std::string_view("study.toml:").size());
+}
+
+/// The smallest rendered study, whose lines the complaints below refer to.
+const std::string minimal = R"([study]
+id = "pilot"
+title = "A pilot"
+question = "Which?"
+seed = 7
+width = 320
+height = 240
+
+[[scene]]
+id = "bunny"
+model = "bunny"
+material = "marble"
+
+[[condition]]
+id = "glow"
+method = "shss"
+
+[[condition]]
+id = "plain"
+method = "phong"
+)";
+
+std::string changed(const std::string& line, const std::string& replacement) {
+    auto text = minimal;
+    const auto place = text.find(line);
+    EXPECT_NE(place, std::string::npos) << line;
+    return text.replace(place, line.size(), replacement);
+}
+
+TEST(StudyFile, TakesDefaultsForWhatItDoesNotSay) {
+    const auto study = parsed(minimal);
+    EXPECT_EQ(study.id, "pilot");
+    EXPECT_EQ(study.seed, 7u);
+    EXPECT_EQ(study.width, 320);
+    EXPECT_EQ(study.height, 240);
+    EXPECT_EQ(study.surround.code, 128);
+    EXPECT_EQ(study.plan.sessions, 3);
+    EXPECT_EQ(study.plan.break_every, 50);
+    EXPECT_EQ(study.instructions.file, "instructions.md");
+    ASSERT_EQ(study.scenes.size(), 1u);
+    EXPECT_EQ(study.scenes[0].label, "bunny");
+    EXPECT_EQ(study.scenes[0].diameter_mm, 100);
+    EXPECT_TRUE(study.variants.empty());
+    ASSERT_EQ(study.conditions.size(), 2u);
+    const auto& glow = std::get<Rendering>(study.conditions[0].source);
+    EXPECT_EQ(glow.bands, 5);
+    EXPECT_EQ(glow.law, "physical");
+    EXPECT_EQ(glow.directions, 1024);
+}
+
+TEST(StudyFile, RemembersTheLinesOfItsTables) {
+    const auto study = parsed(minimal);
+    EXPECT_EQ(study.scenes[0].line, 9);
+    EXPECT_EQ(study.conditions[0].line, 14);
+    EXPECT_EQ(study.conditions[1].line, 18);
+}
+
+/// The example of the manual: the text between ```toml and ```.
+std::string example() {
+    const auto page = contents("docs/study-file.md");
+    const auto begin = page.find("```toml\n") + 8;
+    return page.substr(begin, page.find("```", begin) - begin);
+}
+
+TEST(StudyFile, OfTheManualIsReadInFull) {
+    const auto study = parsed(example());
+    EXPECT_EQ(study.id, "skin-pilot");
+    EXPECT_EQ(study.plan.sessions, 2);
+    EXPECT_EQ(study.scenes.at(0).turn_degrees, 20);
+    EXPECT_EQ(study.scenes.at(0).elevation_degrees, 10);
+    EXPECT_EQ(study.scenes.at(0).material, "skin1");
+    EXPECT_EQ(study.variants.at(0).label, "lit from behind");
+    EXPECT_EQ(std::get<Rendering>(study.conditions.at(1).source).depth_map, 2048);
+    EXPECT_TRUE(std::holds_alternative<OwnImages>(study.conditions.at(3).source));
+}
+
+TEST(StudyFile, HasDirectionsOfUnitLength) {
+    const auto study = parsed(example());
+    const auto& back = study.variants.at(0).to_light;
+    EXPECT_NEAR(std::hypot(back[0], back[1], back[2]), 1, 1e-15);
+    EXPECT_NEAR(back[1] / back[2], -0.3, 1e-15);
+    EXPECT_LT(back[2], 0); // behind the model
+    EXPECT_EQ(study.variants.at(1).to_light, (std::array<double, 3>{-1, 0, 0}));
+}
+
+TEST(ShippedStudies, AreAllRead) {
+    int read = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(
+             std::filesystem::path(PAIRLIGHT_SOURCE_DIR) / "protocols/studies"))
+        if (entry.path().extension() == ".toml") {
+            const auto name = entry.path().stem().string();
+            EXPECT_EQ(parsed(contents("protocols/studies/" + name + ".toml")).id, name);
+            ++read;
+        }
+    EXPECT_EQ(read, 3);
+}
+
+TEST(ShippedStudies, HaveInstructionsThatAskTheirQuestion) {
+    const auto instructions = contents("protocols/studies/instructions.md");
+    for (const auto* name : {"quick", "shss-2012", "own-images"}) {
+        const auto study = parsed(contents(fmt::format("protocols/studies/{}.toml", name)));
+        EXPECT_EQ(study.instructions.file, "instructions.md");
+        EXPECT_THAT(instructions, testing::HasSubstr(study.question));
+    }
+    EXPECT_THAT(instructions, testing::HasSubstr("\n---\n"));
+}
+
+TEST(StudyFile, OfOwnImagesNeedsNoModelMaterialOrLight) {
+    const auto study = parsed(R"([study]
+id = "own"
+title = "Own"
+question = "Which?"
+seed = 0
+width = 100
+height = 100
+[[scene]]
+id = "garden"
+[[variant]]
+id = "noon"
+[[condition]]
+id = "a"
+source = "images"
+[[condition]]
+id = "b"
+source = "images"
+)");
+    EXPECT_EQ(study.scenes.at(0).model, "");
+    EXPECT_EQ(study.variants.at(0).id.value, "noon");
+}
+
+TEST(StudyFile, ThatIsNotTomlIsRefusedWithItsLine) {
+    EXPECT_THAT(complaint(changed("seed = 7", "seed = = 7")), testing::StartsWith("5: not TOML: "));
+    EXPECT_THAT(complaint(minimal + "[[condition]\n"), testing::StartsWith("21: not TOML: "));
+    EXPECT_THAT(complaint(changed("seed = 7", "seed = 7\nseed = 8")),
+                testing::StartsWith("6: not TOML: "));
+    EXPECT_THAT(complaint("\xff\xfe"), testing::StartsWith("1: not TOML: "));
+}
+
+TEST(StudyFile, ThatIsEmptyMissesItsStudy) {
+    EXPECT_EQ(complaint(""), "1: the study file has no 'study', expected the table [study]");
+}
+
+TEST(StudyFile, WithAnUnknownKeyIsToldWhichOneWasProbablyMeant) {
+    EXPECT_EQ(complaint(changed("width =", "widht =")),
+              "6: unknown key 'widht' in [study], did you mean 'width'?");
+    EXPECT_EQ(complaint(changed("height = 240", "height = 240\nhieght = 3")),
+              "8: unknown key 'hieght' in [study], expected one of id, title, question, seed, "
+              "width, height (did you mean 'height'?)");
+    EXPECT_THAT(complaint(minimal + "[sesion]\n"),
+                testing::AllOf(testing::StartsWith("21: unknown key 'sesion' in the study file"),
+                               testing::HasSubstr("did you mean 'session'?")));
+    EXPECT_EQ(complaint("# A pilot\n" + changed("[study]", "[studdy]")),
+              "2: unknown key 'studdy' in the study file, did you mean 'study'?");
+    EXPECT_THAT(complaint(changed("model = \"bunny\"", "model = \"bunny\"\ncolour = 3")),
+                testing::StartsWith("12: unknown key 'colour' in [[scene]]"));
+}
+
+TEST(StudyFile, WithAMissingKeyIsToldTheTableThatLacksIt) {
+    EXPECT_EQ(complaint(changed("seed = 7\n", "")),
+              "1: [study] has no 'seed', expected a whole number of 0 or more");
+    EXPECT_EQ(complaint(changed("model = \"bunny\"\n", "")),
+              "9: [[scene]] has no 'model', expected text in quotes, on one line");
+    EXPECT_THAT(complaint(changed("material = \"marble\"\n", "")),
+                testing::StartsWith("9: [[scene]] has no 'material', expected one of apple, "));
+    EXPECT_THAT(complaint(changed("method = \"phong\"", "")),
+                testing::HasSubstr("[[condition]] 'plain' has no 'method', expected one of phong, "
+                                   "green, shss, or source = \"images\""));
+    EXPECT_EQ(complaint(minimal + "[[variant]]\nid = \"back\"\n"),
+              "21: [[variant]] has no 'to_light', expected three numbers [x, y, z], not all zero");
+}
+
+TEST(StudyFile, WithAValueOfTheWrongTypeIsToldTheRightOne) {
+    EXPECT_EQ(complaint(changed("width = 320", "width = \"320\"")),
+              "6: width in [study] is \"320\", expected a whole number from 16 to 16384");
+    EXPECT_EQ(complaint(changed("width = 320", "width = 320.5")),
+              "6: width in [study] is 320.5, expected a whole number from 16 to 16384");
+    EXPECT_EQ(complaint(changed("title = \"A pilot\"", "title = 2026-01-01")),
+              "3: title in [study] is a date or time, expected text in quotes, on one line");
+    EXPECT_EQ(complaint(changed("title = \"A pilot\"", "title = \"A\\npilot\"")).substr(0, 8),
+              "3: title");
+    EXPECT_EQ(complaint(changed("method = \"shss\"", "method = true")),
+              "16: method in [[condition]] is true, expected one of phong, green, shss");
+    EXPECT_EQ(complaint("study = 3\n" + minimal.substr(minimal.find("[[scene]]"))),
+              "1: study in the study file is 3, expected the table [study]");
+    EXPECT_THAT(complaint(changed("[[scene]]", "[scene]")),
+                testing::HasSubstr("scene in the study file is a table, expected [[scene]] in "
+                                   "double brackets above each"));
+}
+
+TEST(StudyFile, WithAValueOutOfRangeIsToldTheRange) {
+    EXPECT_EQ(complaint(changed("seed = 7", "seed = -7")),
+              "5: seed in [study] is -7, expected a whole number of 0 or more");
+    EXPECT_EQ(complaint(minimal + "bands = 7\n").substr(0, 9), "21: 'band"); // phong has none
+    EXPECT_EQ(complaint(changed("method = \"shss\"", "method = \"shss\"\nbands = 7")),
+              "17: bands in [[condition]] is 7, expected a whole number from 1 to 6");
+    EXPECT_EQ(complaint(changed("method = \"shss\"", "method = \"shss\"\ndirections = 24")),
+              "17: directions in [[condition]] is 24, expected at least 25, one for each "
+              "coefficient of 5 bands");
+    EXPECT_EQ(complaint(minimal + "[session]\nsessions = 0\n"),
+              "22: sessions in [session] is 0, expected a whole number from 1 to 100");
+    EXPECT_EQ(complaint(minimal + "[session]\nsessions = 9223372036854775807\n").substr(0, 12),
+              "22: sessions");
+    const auto scene = [](const std::string& key) {
+        return complaint(changed("model = \"bunny\"", "model = \"bunny\"\n" + key));
+    };
+    EXPECT_EQ(scene("diameter_mm = nan"),
+              "12: diameter_mm in [[scene]] is nan, expected a number from 0.001 to 1000000");
+    EXPECT_THAT(scene("diameter_mm = -2"), testing::HasSubstr("is -2, expected"));
+    EXPECT_THAT(scene("turn_degrees = inf"), testing::HasSubstr("expected a number from -360"));
+    EXPECT_THAT(scene("elevation_degrees = \"high\""), testing::HasSubstr("is \"high\", expected"));
+}
+
+TEST(StudyFile, WithADirectionThatIsNoneIsRefused) {
+    for (const std::string direction :
+         {"[0, 0, 0]", "[1, 2]", "[1, 2, 3, 4]", "[nan, 0, 1]", "[inf, 0, 1]", "[\"x\", 0, 1]"})
+        EXPECT_EQ(
+            complaint(minimal + "[[variant]]\nid = \"back\"\nto_light = " + direction + "\n"),
+            "23: to_light in [[variant]] is a list, expected three numbers [x, y, z], not all zero")
+            << direction;
+    EXPECT_THAT(complaint(changed("model = \"bunny\"", "model = \"bunny\"\nup = \"z\"")),
+                testing::StartsWith("12: up in [[scene]] is \"z\", expected three numbers"));
+}
+
+TEST(StudyFile, WithANameTwiceIsToldWhereTheOtherIs) {
+    EXPECT_EQ(complaint(changed("id = \"plain\"", "id = \"glow\"")),
+              "18: id 'glow' is already that of the condition at line 14, expected a name of its "
+              "own");
+    EXPECT_THAT(complaint(minimal + "[[scene]]\nid=\"bunny\"\nmodel=\"b\"\nmaterial=\"cream\"\n"),
+                testing::HasSubstr("already that of the scene at line 9"));
+    const std::string back = "[[variant]]\nid = \"back\"\nto_light = [0, 0, -1]\n";
+    EXPECT_THAT(complaint(minimal + back + back),
+                testing::HasSubstr("already that of the variant at line 21"));
+}
+
+TEST(StudyFile, WithAnIdThatNoFileCanHaveIsRefused) {
+    for (const std::string id :
+         {"a/b", "..", ".hidden", "-rf", "Glow", "two words", "gl\u00f6w", "a\\\\b", "a,b"})
+        EXPECT_THAT(complaint(changed("id = \"glow\"", "id = \"" + id + "\"")),
+                    testing::AllOf(testing::StartsWith("15: id in [[condition]] is "),
+                                   testing::HasSubstr("a-z 0-9 . _ -")))
+            << id;
+    EXPECT_THAT(complaint(changed("\"pilot\"", "\"" + std::string(65, 'a') + "\"")),
+                testing::HasSubstr("at most 64"));
+    EXPECT_THAT(complaint(changed("id = \"glow\"", "id = \"\"")), testing::StartsWith("15: id"));
+}
+
+TEST(StudyFile, WithAnUnknownNameIsToldTheKnownOnes) {
+    EXPECT_EQ(complaint(changed("method = \"shss\"", "method = \"shs\"")),
+              "16: method in [[condition]] is \"shs\", expected one of phong, green, shss (did you "
+              "mean 'shss'?)");
+    EXPECT_EQ(complaint(changed("method = \"shss\"", "method = \"shss\"\nlaw = \"linear\"")),
+              "17: law in [[condition]] is \"linear\", expected one of paper, physical");
+    EXPECT_THAT(complaint(changed("method = \"shss\"", "method = \"shss\"\nthickness = \"last\"")),
+                testing::HasSubstr("expected one of sum, first, span"));
+    EXPECT_THAT(complaint(changed("\"marble\"", "\"marbel\"")),
+                testing::HasSubstr("(did you mean 'marble'?)"));
+    EXPECT_THAT(complaint(changed("method = \"phong\"", "source = \"film\"")),
+                testing::HasSubstr("source in [[condition]] is \"film\", expected one of images"));
+}
+
+TEST(StudyFile, WithADialItsMethodDoesNotHaveIsRefused) {
+    EXPECT_EQ(complaint(changed("method = \"phong\"", "method = \"phong\"\nbands = 3")),
+              "21: 'bands' is no dial of method 'phong', which has none");
+    EXPECT_EQ(complaint(changed("method = \"phong\"", "method = \"green\"\ndirections = 512")),
+              "21: 'directions' is no dial of method 'green', which has law, depth_map");
+    EXPECT_EQ(complaint(changed("method = \"shss\"", "method = \"shss\"\ndepth_map = 512")),
+              "17: 'depth_map' is no dial of method 'shss', which has bands, law, thickness, "
+              "directions");
+    EXPECT_EQ(complaint(changed("method = \"phong\"", "source = \"images\"\nlaw = \"paper\"")),
+              "21: 'law' is no dial of source \"images\", which has none");
+    EXPECT_THAT(complaint(changed("method = \"phong\"", "method = \"phong\"\nsource = \"images\"")),
+                testing::HasSubstr("both 'method' and 'source'"));
+}
+
+TEST(StudyFile, WithNothingToCompareIsRefused) {
+    const auto one = minimal.substr(0, minimal.rfind("[[condition]]"));
+    EXPECT_EQ(complaint(one), "14: 1 [[condition]] in this study, expected at least 2 to compare");
+    const auto none = minimal.substr(0, minimal.find("[[condition]]"));
+    EXPECT_EQ(complaint(none), "1: 0 [[condition]] in this study, expected at least 2 to compare");
+    EXPECT_EQ(complaint(changed("[[scene]]\nid = \"bunny\"\nmodel = \"bunny\"\nmaterial = "
+                                "\"marble\"\n",
+                                "")),
+              "1: 0 [[scene]] in this study, expected at least 1 to show");
+}
+
+TEST(StudyFile, HasItsSurroundAsACodeValue) {
+    EXPECT_EQ(parsed(minimal + "[display]\nsurround = \"code:0\"\n").surround.code, 0);
+    EXPECT_EQ(parsed(minimal + "[display]\nsurround = \"code:255\"\n").surround.code, 255);
+    for (const std::string surround : {"code:256", "code:", "code:-1", "code:12x", "128",
+                                       "code:99999999999999999999", "lstar:50"})
+        EXPECT_EQ(complaint(minimal + "[display]\nsurround = \"" + surround + "\"\n"),
+                  "22: surround in [display] is \"" + surround +
+                      "\", expected \"code:0\" to \"code:255\", the grey's 8-bit code value");
+}
+
+TEST(StudyFile, KeepsItsInstructionsInItsFolder) {
+    for (const std::string file : {"/etc/passwd", "../other.md", "a/../../b.md"})
+        EXPECT_EQ(complaint(minimal + "[instructions]\nfile = \"" + file + "\"\n"),
+                  "22: file in [instructions] is \"" + file +
+                      "\", expected a file inside the study folder");
+}
+
+TEST(StudyFile, IsToldItsFirstOffenceOnly) {
+    auto text = changed("seed = 7", "seed = \"x\"");
+    text += "bands = 9\ncolour = 1\n";
+    EXPECT_THAT(complaint(text), testing::StartsWith("5: seed"));
+}
+
+// Half a file is never half a study: every prefix is refused with a message, or is a study.
+TEST(StudyFile, CutAnywhereIsRefusedOrWhole) {
+    int refused = 0;
+    for (std::size_t length = 0; length < minimal.size(); ++length) {
+        const auto study = parse_study(minimal.substr(0, length), "cut.toml", known_names());
+        if (study) {
+            EXPECT_EQ(study->conditions.size(), 2u) << length;
+        } else {
+            EXPECT_THAT(study.error(), testing::StartsWith("cut.toml:"));
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 200);
+}
+
+RC_GTEST_PROP(StudyFile, SurvivesAnyByteInAnyPlace, (unsigned char byte)) {
+    auto text = minimal;
+    text[*rc::gen::inRange<std::size_t>(0, minimal.size())] = static_cast<char>(byte);
+    const auto study = parse_study(text, "study.toml", known_names());
+    RC_ASSERT(study.has_value() || study.error().starts_with("study.toml:"));
+}
+
+} // namespace
