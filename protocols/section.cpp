@@ -68,7 +68,7 @@ bool Section::has(std::string_view key) {
     return entry(key) != nullptr;
 }
 
-std::string Section::text(std::string_view key, std::optional<std::string> fallback) {
+std::string Section::text(std::string_view key, const std::optional<std::string>& fallback) {
     constexpr std::string_view wanted = "text in quotes, on one line";
     const auto* node = find(key, wanted, fallback.has_value());
     if (node == nullptr)
@@ -82,7 +82,7 @@ std::string Section::text(std::string_view key, std::optional<std::string> fallb
 
 std::string Section::one_of(std::string_view key,
                             const std::vector<std::string>& names,
-                            std::optional<std::string> fallback) {
+                            const std::optional<std::string>& fallback) {
     const auto wanted = fmt::format("one of {}", fmt::join(names, ", "));
     const auto* node = find(key, wanted, fallback.has_value());
     if (node == nullptr)
@@ -176,7 +176,7 @@ std::vector<Section> Section::tables(std::string_view key) {
     }
     for (const auto& element : *list)
         if (const auto* table = std::get_if<Table>(&element.value))
-            sections.push_back({*table, element.line, name, *problems_});
+            sections.emplace_back(*table, element.line, name, *problems_);
         else
             refuse(key, wanted);
     return sections;

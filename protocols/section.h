@@ -49,12 +49,12 @@ class Section {
     bool has(std::string_view key);
 
     /// One line of text, not empty.
-    std::string text(std::string_view key, std::optional<std::string> fallback = {});
+    std::string text(std::string_view key, const std::optional<std::string>& fallback = {});
 
     /// Text that is one of the names.
     std::string one_of(std::string_view key,
                        const std::vector<std::string>& names,
-                       std::optional<std::string> fallback = {});
+                       const std::optional<std::string>& fallback = {});
 
     /// The text under "id": a name that can also be that of a file, anywhere.
     std::string id();
