@@ -28,6 +28,7 @@ EncodedImage encode_16bit(const LinearImage& opaque);
 /// and channel, so that pictures differ only where their light does.  Values that are codes
 /// already (a grey surround) stay as they are.
 /// Errors: EXPECTS on sizes and NaN.
+/// Source: [Bayer1973]
 EncodedImage encode_8bit(const LinearImage& opaque);
 
 } // namespace renderer::imaging

@@ -61,10 +61,10 @@ std::string
 write_pixels(const fs::path& file, const ImageSpec& spec, TypeDesc type, const void* pixels) {
     const auto output = ImageOutput::create(file.string());
     if (!output)
-        return one_line(OIIO::geterror());
+        return "cannot be written: " + one_line(OIIO::geterror());
     const bool written =
         output->open(file.string(), spec) && output->write_image(type, pixels) && output->close();
-    return written ? "" : one_line(output->geterror());
+    return written ? "" : "cannot be written: " + one_line(output->geterror());
 }
 
 Expected<void>
@@ -79,10 +79,10 @@ write_whole(const fs::path& file, const ImageSpec& spec, TypeDesc type, const vo
         fs::rename(beside, file, failure);
         if (!failure)
             return {};
-        reason = failure.message();
+        reason = "cannot be written: " + failure.message();
     }
     fs::remove(beside, failure);
-    return refusal(file, "cannot be written: " + reason);
+    return refusal(file, reason);
 }
 
 using Reader = std::unique_ptr<ImageInput>;
