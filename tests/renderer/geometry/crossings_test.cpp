@@ -23,26 +23,6 @@ double total(std::span<const Segment> segments) {
     return sum;
 }
 
-Mesh moved(Mesh mesh, glm::dvec3 by) {
-    for (auto& p : mesh.positions)
-        p += by;
-    return mesh;
-}
-
-Mesh flipped(Mesh mesh) {
-    for (auto& t : mesh.triangles)
-        std::swap(t[1], t[2]);
-    return mesh;
-}
-
-Mesh together(Mesh a, const Mesh& b) {
-    const auto offset = static_cast<std::uint32_t>(a.positions.size());
-    a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
-    for (const auto& [i, j, k] : b.triangles)
-        a.triangles.push_back({i + offset, j + offset, k + offset});
-    return a;
-}
-
 std::uint32_t vertex_at(const Mesh& mesh, glm::dvec3 place) {
     for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
         if (glm::distance(mesh.positions[v], place) < 1e-9)

@@ -42,21 +42,6 @@ std::vector<double> basis_at(int bands, glm::dvec3 s) {
     return y;
 }
 
-Mesh together(Mesh a, const Mesh& b, glm::dvec3 by) {
-    const auto offset = static_cast<std::uint32_t>(a.positions.size());
-    for (const auto& p : b.positions)
-        a.positions.push_back(p + by);
-    for (const auto& [i, j, k] : b.triangles)
-        a.triangles.push_back({i + offset, j + offset, k + offset});
-    return a;
-}
-
-Mesh flipped(Mesh mesh) {
-    for (auto& t : mesh.triangles)
-        std::swap(t[1], t[2]);
-    return mesh;
-}
-
 Mesh transformed(Mesh mesh, const glm::dmat3& by, glm::dvec3 then = {}) {
     for (auto& p : mesh.positions)
         p = by * p + then;

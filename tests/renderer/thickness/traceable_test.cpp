@@ -23,26 +23,11 @@ std::string complaint(const Mesh& mesh) {
     return field.error();
 }
 
-Mesh flipped(Mesh mesh) {
-    for (auto& t : mesh.triangles)
-        std::swap(t[1], t[2]);
-    return mesh;
-}
-
-Mesh beside(Mesh a, const Mesh& b, glm::dvec3 by) {
-    const auto offset = static_cast<std::uint32_t>(a.positions.size());
-    for (const auto& p : b.positions)
-        a.positions.push_back(p + by);
-    for (const auto& [i, j, k] : b.triangles)
-        a.triangles.push_back({i + offset, j + offset, k + offset});
-    return a;
-}
-
 TEST(Traceable, AreClosedBodiesWithCavitiesAndNeighbours) {
     EXPECT_EQ(complaint(sphere(1, 2)), "");
     EXPECT_EQ(complaint(shell(1, 0.5, 2)), "");
     EXPECT_EQ(complaint(torus(1, 0.4, 12, 8)), "");
-    EXPECT_EQ(complaint(beside(sphere(1, 2), sphere(1, 2), {1, 0, 0})), "");
+    EXPECT_EQ(complaint(together(sphere(1, 2), sphere(1, 2), {1, 0, 0})), "");
 }
 
 TEST(Traceable, AMissingTriangleIsNamedByItsEdges) {
@@ -62,7 +47,7 @@ TEST(Traceable, ABodyInsideOutHasANegativeVolume) {
 }
 
 TEST(Traceable, APartInsideOutIsNamed) {
-    const Mesh mesh = beside(sphere(2, 2), flipped(sphere(1, 1)), {5, 0, 0});
+    const Mesh mesh = together(sphere(2, 2), flipped(sphere(1, 1)), {5, 0, 0});
     EXPECT_THAT(complaint(mesh), HasSubstr("component of vertex 162 faces inward"));
 }
 
@@ -78,7 +63,7 @@ TEST(Traceable, ASheetWithoutThicknessLeavesRaysUnresolved) {
     Mesh sheet;
     sheet.positions = {{3, -3, -3}, {3, 3, -3}, {3, 0, 3}};
     sheet.triangles = {{0, 1, 2}, {0, 2, 1}};
-    EXPECT_THAT(complaint(beside(sphere(1, 2), sheet, {0, 0, 0})),
+    EXPECT_THAT(complaint(together(sphere(1, 2), sheet, {0, 0, 0})),
                 HasSubstr("could not be resolved"));
 }
 
