@@ -1,16 +1,21 @@
 // The program's table of contents.
-#include "experiment/commands/command.h"
+#include "experiment/commands/commands.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <cstdlib>
 
+namespace commands = experiment::commands;
+
 int main(int argc, char** argv) {
     CLI::App program("Pairlight: which rendering do people find more realistic, by how much, and "
                      "how sure is that?",
                      "pairlight");
     program.require_subcommand(1);
+    for (const auto add : {commands::add_init, commands::add_check, commands::add_render,
+                           commands::add_schedule, commands::add_verify})
+        add(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,5 +1,6 @@
 // pairlight check: whether a study can be run as it stands, and what to know before it is.
 #include "experiment/commands/commands.h"
+#include "experiment/models.h"
 #include "experiment/read_study.h"
 #include "experiment/stimuli/own_images.h"
 #include "experiment/stimuli/render_study.h"
@@ -52,7 +53,7 @@ void say_which_order(const Study& study) {
 
 void check_models(const LoadedStudy& loaded, const Voice& voice) {
     for (const auto& scene : loaded.study.scenes) {
-        auto model = stimuli::load_model(scene, loaded.folder);
+        auto model = load_model(scene.model, loaded.folder);
         if (!model)
             throw CommandError(fmt::format("{}:{}: scene \"{}\": {}",
                                            loaded.folder.study_file().string(), scene.line,

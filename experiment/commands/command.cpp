@@ -17,4 +17,11 @@ void add_voice(CLI::App& command, Voice& voice) {
     command.add_flag("-q,--quiet", voice.quiet, "Say nothing on the way: results and errors only");
 }
 
+void deliver(const std::string& text, const std::string& path) {
+    if (path.empty())
+        fmt::print("{}", text);
+    else
+        value_or_stop(write_text_file(path, text));
+}
+
 } // namespace experiment::commands

@@ -38,4 +38,7 @@ struct Voice {
 /// Adds `--quiet` to `command`.
 void add_voice(CLI::App& command, Voice& voice);
 
+/// Writes a result to the file `path`, or to standard output when it is empty.
+void deliver(const std::string& text, const std::string& path);
+
 } // namespace experiment::commands

@@ -1,9 +1,8 @@
 // pairlight thickness: how much material lies between a model's vertices and the light, as a table.
 #include "experiment/commands/commands.h"
 #include "experiment/directions_file.h"
+#include "experiment/models.h"
 #include "experiment/progress.h"
-#include "experiment/read_study.h"
-#include "experiment/text_files.h"
 #include "renderer/geometry/mesh.h"
 #include "renderer/harmonics/basis.h"
 #include "renderer/thickness/thickness_field.h"
@@ -102,7 +101,7 @@ void add_thickness(CLI::App& program) {
     command->callback([options] {
         const auto directions = value_or_stop(read_directions(options->directions));
         const auto model =
-            value_or_stop(find_model(options->model, model_folders(StudyFolder{"."})));
+            value_or_stop(load_model(options->model, StudyFolder{"."}));
         for (const auto& remark : model.remarks)
             options->voice.remark(remark);
         const auto values = measured(*options, model.mesh, directions);

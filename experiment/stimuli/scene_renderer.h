@@ -1,10 +1,10 @@
 // One scene's model in video memory, prepared for every method the study compares on it.
 #pragma once
 
+#include "experiment/models.h"
 #include "experiment/stimuli/manifest.h"
 #include "experiment/study_folder.h"
 #include "protocols/study.h"
-#include "renderer/geometry/mesh.h"
 #include "renderer/methods/method.h"
 
 #include <tl/expected.hpp>
@@ -20,18 +20,6 @@ namespace experiment::stimuli {
 
 /// stimuli/<scene>/<variant>/<condition>.png
 std::filesystem::path png_file(const StudyFolder& folder, const protocols::Picture& picture);
-
-/// A model as the renderer needs it: welded, closed, oriented; `remarks` say what was mended.
-struct LoadedModel {
-    renderer::geometry::Mesh mesh;
-    ModelRecord record;
-    std::vector<std::string> remarks;
-};
-
-/// Finds, reads and prepares a scene's model.  Errors: where it was looked for, or what is wrong
-/// with it.
-tl::expected<LoadedModel, std::string> load_model(const protocols::Scene& scene,
-                                                  const StudyFolder& folder);
 
 /// Needs a current OpenGL context, and has to be gone before that is.
 class SceneRenderer {

@@ -1,0 +1,26 @@
+// A scene's model, from its name in a study file to a mesh that rays can be trusted with.
+#pragma once
+
+#include "experiment/stimuli/manifest.h"
+#include "experiment/study_folder.h"
+#include "renderer/geometry/mesh.h"
+
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+namespace experiment {
+
+/// Welded, closed, facing outward; `remarks` say what was mended on the way.
+struct LoadedModel {
+    renderer::geometry::Mesh mesh;
+    stimuli::ModelRecord record;
+    std::vector<std::string> remarks;
+};
+
+/// `name` is a body's name, a name on the search path, or a path (from the study folder).
+/// Errors: where it was looked for, or what is wrong with the mesh and where.
+tl::expected<LoadedModel, std::string> load_model(const std::string& name, const StudyFolder& folder);
+
+}  // namespace experiment
