@@ -1,0 +1,72 @@
+// Which groups differ: all pairs of means with simultaneous error rates.
+// [Tukey1953], [Kramer1956], [GamesHowell1976], [Holm1979], [Hochberg1988],
+// [BenjaminiHochberg1995]
+#pragma once
+
+#include "analysis/anova/f_test.h"
+#include "analysis/anova/one_way.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace analysis::anova {
+
+/// One pair by the studentized range.  Groups by index, `first` < `second`.
+struct RangePair {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    double difference = undefined;     ///< mean of first minus mean of second
+    double standard_error = undefined; ///< as q uses it: of the difference, over sqrt 2
+    double df = undefined;
+    double q = undefined;
+    double lower = undefined; ///< simultaneous interval of the difference
+    double upper = undefined;
+    double p = undefined;
+    bool significant = false; ///< at the level asked for
+};
+
+struct RangeTest {
+    double level = 0.05;
+    double q_critical = undefined;
+    std::size_t groups = 0;
+    double df = undefined;
+    double mean_square_error = undefined;
+    std::vector<RangePair> pairs;
+    /// Half-width of comparison intervals: two are disjoint exactly when the pair differs (equal
+    /// group sizes); NaN otherwise.
+    double comparison_half_width = undefined;
+};
+
+/// Tukey's test, with Kramer's standard errors when sizes differ.
+RangeTest tukey(std::span<const double> means,
+                std::span<const std::int64_t> sizes,
+                Variation error,
+                double level = 0.05);
+
+/// Each pair by its own variances and Welch's df; not simultaneous intervals.
+std::vector<RangePair> games_howell(const OneWay& groups, double level = 0.05);
+
+/// One pair by t, with p adjusted for the number of pairs.
+struct TPair {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    double difference = undefined;
+    double t = undefined;
+    double df = undefined;
+    double p = undefined;
+    double p_bonferroni = undefined;
+    double p_holm = undefined;
+    double p_hochberg = undefined;
+    double p_benjamini_hochberg = undefined;
+    bool significant_holm = false;
+};
+
+/// Two-sided t with the pooled variance of all groups.
+std::vector<TPair> pooled_t(const OneWay& groups, double level = 0.05);
+
+/// Two-sided paired t over observers; `scores` is row-major observers x groups.
+std::vector<TPair>
+paired_t(std::span<const double> scores, std::size_t groups, double level = 0.05);
+
+} // namespace analysis::anova
