@@ -96,6 +96,11 @@ Expected<VoteTable> vote_table(std::vector<std::string> factor_names,
                                std::span<const VoteRow> rows,
                                Repeats repeats = Repeats::Refuse);
 
+/// The same votes with conditions in this order, which tables, pairs and ties in rank follow (a
+/// study lists its conditions in the order its author thinks in).
+/// Errors: `order` must name every condition of the table once.
+Expected<VoteTable> with_condition_order(VoteTable table, std::span<const std::string> order);
+
 /// A pair of votes on the same observer, session, scene and unordered pair, as row numbers from 0;
 /// {-1, -1} when every question was answered once.
 std::pair<std::int64_t, std::int64_t> first_repeat(const VoteTable& table);

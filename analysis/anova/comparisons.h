@@ -65,8 +65,11 @@ struct TPair {
 /// Two-sided t with the pooled variance of all groups.
 std::vector<TPair> pooled_t(const OneWay& groups, double level = 0.05);
 
-/// Two-sided paired t over observers; `scores` is row-major observers x groups.
-std::vector<TPair>
-paired_t(std::span<const double> scores, std::size_t groups, double level = 0.05);
+/// Two-sided paired t over observers; `counts` is row-major observers x groups, `divisor` of them
+/// make one unit of score.  Exact up to the last division.
+std::vector<TPair> paired_t(std::span<const std::int64_t> counts,
+                            std::size_t groups,
+                            std::int64_t divisor,
+                            double level = 0.05);
 
 } // namespace analysis::anova

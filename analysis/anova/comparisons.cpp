@@ -1,0 +1,171 @@
+#include "analysis/anova/comparisons.h"
+
+#include "analysis/anova/adjustments.h"
+#include "analysis/exact.h"
+#include "analysis/numerics/distributions.h"
+#include "analysis/numerics/studentized_range.h"
+#include "protocols/contract.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace analysis::anova {
+
+namespace {
+
+// A difference over its standard error; nothing over nothing is undefined.
+double ratio(double difference, double standard_error) {
+    if (standard_error == 0)
+        return difference == 0 ? undefined : std::numeric_limits<double>::infinity();
+    return difference / standard_error;
+}
+
+double range_p(double q, std::size_t groups, double df) {
+    if (std::isnan(q) || !(df > 0))
+        return undefined;
+    if (std::isinf(q))
+        return 0;
+    return numerics::studentized_range_upper_tail(q, static_cast<double>(groups), df).p;
+}
+
+RangePair range_pair(std::size_t first,
+                     std::size_t second,
+                     double difference,
+                     double standard_error,
+                     double df,
+                     std::size_t groups) {
+    RangePair pair;
+    pair.first = first;
+    pair.second = second;
+    pair.difference = difference;
+    pair.standard_error = standard_error;
+    pair.df = df;
+    pair.q = ratio(std::abs(difference), standard_error);
+    pair.p = range_p(pair.q, groups, df);
+    return pair;
+}
+
+void decide(RangePair& pair, double q_critical, double level) {
+    pair.lower = pair.difference - q_critical * pair.standard_error;
+    pair.upper = pair.difference + q_critical * pair.standard_error;
+    pair.significant = pair.p < level;
+}
+
+void adjust(std::vector<TPair>& pairs, double level) {
+    std::vector<double> p;
+    for (const auto& pair : pairs)
+        p.push_back(pair.p);
+    const auto by_bonferroni = bonferroni(p), by_holm = holm(p), by_hochberg = hochberg(p),
+               by_bh = benjamini_hochberg(p);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        pairs[i].p_bonferroni = by_bonferroni[i];
+        pairs[i].p_holm = by_holm[i];
+        pairs[i].p_hochberg = by_hochberg[i];
+        pairs[i].p_benjamini_hochberg = by_bh[i];
+        pairs[i].significant_holm = by_holm[i] < level;
+    }
+}
+
+double t_p(double t, double df) {
+    if (std::isnan(t) || !(df > 0))
+        return undefined;
+    return std::isinf(t) ? 0 : numerics::t_two_sided(t, df).p;
+}
+
+} // namespace
+
+RangeTest tukey(std::span<const double> means,
+                std::span<const std::int64_t> sizes,
+                Variation error,
+                double level) {
+    EXPECTS(means.size() == sizes.size() && means.size() >= 2);
+    RangeTest test;
+    test.level = level;
+    test.groups = means.size();
+    test.df = error.df;
+    test.mean_square_error = error.df > 0 ? error.ms() : undefined;
+    if (error.df > 0)
+        test.q_critical = numerics::studentized_range_quantile(
+            level, static_cast<double>(means.size()), error.df);
+    for (std::size_t i = 0; i < means.size(); ++i)
+        for (std::size_t j = i + 1; j < means.size(); ++j) {
+            const double n_i = static_cast<double>(sizes[i]), n_j = static_cast<double>(sizes[j]);
+            const double se = std::sqrt(test.mean_square_error / 2 * (1 / n_i + 1 / n_j));
+            test.pairs.push_back(range_pair(i, j, means[i] - means[j], se, error.df, means.size()));
+            decide(test.pairs.back(), test.q_critical, level);
+        }
+    const auto n = static_cast<double>(sizes[0]);
+    if (std::all_of(sizes.begin(), sizes.end(), [&](auto size) { return size == sizes[0]; }))
+        test.comparison_half_width = test.q_critical * std::sqrt(test.mean_square_error / n) / 2;
+    return test;
+}
+
+std::vector<RangePair> games_howell(const OneWay& groups, double level) {
+    std::vector<RangePair> pairs;
+    const auto k = groups.mean.size();
+    for (std::size_t i = 0; i < k; ++i)
+        for (std::size_t j = i + 1; j < k; ++j) {
+            const double n_i = static_cast<double>(groups.n[i]);
+            const double n_j = static_cast<double>(groups.n[j]);
+            const double a = groups.variance[i] / n_i, b = groups.variance[j] / n_j;
+            const double df = (a + b) * (a + b) / (a * a / (n_i - 1) + b * b / (n_j - 1));
+            pairs.push_back(
+                range_pair(i, j, groups.mean[i] - groups.mean[j], std::sqrt((a + b) / 2), df, k));
+            pairs.back().significant = pairs.back().p < level;
+        }
+    return pairs;
+}
+
+std::vector<TPair> pooled_t(const OneWay& groups, double level) {
+    std::vector<TPair> pairs;
+    const double error = groups.within.df > 0 ? groups.within.ms() : undefined;
+    for (std::size_t i = 0; i < groups.mean.size(); ++i)
+        for (std::size_t j = i + 1; j < groups.mean.size(); ++j) {
+            const double n_i = static_cast<double>(groups.n[i]);
+            const double n_j = static_cast<double>(groups.n[j]);
+            TPair pair;
+            pair.first = i;
+            pair.second = j;
+            pair.difference = groups.mean[i] - groups.mean[j];
+            pair.t = ratio(pair.difference, std::sqrt(error * (1 / n_i + 1 / n_j)));
+            pair.df = groups.within.df;
+            pair.p = t_p(pair.t, pair.df);
+            pairs.push_back(pair);
+        }
+    adjust(pairs, level);
+    return pairs;
+}
+
+std::vector<TPair> paired_t(std::span<const std::int64_t> counts,
+                            std::size_t groups,
+                            std::int64_t divisor,
+                            double level) {
+    EXPECTS(groups >= 2 && counts.size() % groups == 0 && divisor > 0);
+    const auto n = counts.size() / groups;
+    std::vector<TPair> pairs;
+    for (std::size_t i = 0; i < groups; ++i)
+        for (std::size_t j = i + 1; j < groups; ++j) {
+            Wide sum = 0, squares = 0;
+            for (std::size_t o = 0; o < n; ++o) {
+                const Wide d = counts[o * groups + i] - counts[o * groups + j];
+                sum += d;
+                squares += d * d;
+            }
+            const auto observers = static_cast<double>(n);
+            const Wide spread = static_cast<Wide>(n) * squares - sum * sum;
+            TPair pair;
+            pair.first = i;
+            pair.second = j;
+            pair.difference = static_cast<double>(sum) / (observers * static_cast<double>(divisor));
+            // mean / (sd / sqrt n), with everything over n and the divisor cancelled
+            pair.t = ratio(static_cast<double>(sum),
+                           std::sqrt(static_cast<double>(spread) / (observers - 1)));
+            pair.df = observers - 1;
+            pair.p = t_p(pair.t, pair.df);
+            pairs.push_back(pair);
+        }
+    adjust(pairs, level);
+    return pairs;
+}
+
+} // namespace analysis::anova
