@@ -1,0 +1,243 @@
+// A sitting from its first page to its last.
+#include "experiment/session/conduct.h"
+
+#include "experiment/session/pages.h"
+#include "experiment/session/sitting.h"
+#include "protocols/digest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace experiment::session {
+
+namespace {
+
+using protocols::Phase;
+
+constexpr std::chrono::minutes training_lasts{30};
+
+// The wall-clock time of a moment on the monotonic clock.
+std::string utc_of(Monotonic at, const Clock& clock) {
+    return utc_text(clock.wall() -
+                    std::chrono::duration_cast<WallTime::duration>(clock.now() - at));
+}
+
+std::string kind_of(const std::optional<std::string>& simulation) {
+    return simulation ? fmt::format("simulated ({})", *simulation) : "a person's";
+}
+
+Expected<void> check_resumption(const SittingRequest& request, const store::Sitting& begun) {
+    const auto refuse = [&](const std::string& message) {
+        return tl::unexpected(fmt::format("session {} of observer {} {}", request.key.session,
+                                          request.key.observer.value, message));
+    };
+    if (begun.finished_utc)
+        return refuse(fmt::format("is finished ({}); its votes stand, expected another session "
+                                  "number",
+                                  *begun.finished_utc));
+    if (begun.start.simulation != request.simulation)
+        return refuse(fmt::format("was begun as {}, expected to go on so, not as {}",
+                                  kind_of(begun.start.simulation), kind_of(request.simulation)));
+    if (begun.start.plan_sha256 != store::plan_digest(request.schedule.trials))
+        return refuse(fmt::format("was begun on {} with another plan; expected the study file as "
+                                  "it was then",
+                                  begun.start.local_date));
+    return {};
+}
+
+Expected<void> check_dates(const SittingRequest& request,
+                           const std::vector<store::SittingSummary>& sittings,
+                           const std::string& today) {
+    const auto least = request.study.plan.days_apart;
+    if (request.simulation || request.override_reason)
+        return {}; // nobody's eyes get tired; or somebody decided otherwise, and it is written down
+    for (const auto& other : sittings)
+        if (other.key.observer == request.key.observer &&
+            std::abs(days_between(other.local_date, today)) < least)
+            return tl::unexpected(fmt::format(
+                "session {} of observer {} would be on {}, but session {} was on {}; expected at "
+                "least {} day(s) between them, or a reason to override that",
+                request.key.session, request.key.observer.value, today, other.key.session,
+                other.local_date, least));
+    return {};
+}
+
+store::SittingStart
+start_of(const SittingRequest& request, const DisplayFacts& display, WallTime now) {
+    const auto& schedule = request.schedule;
+    return {request.key,         request.study_sha256,   local_date(now),
+            utc_text(now),       schedule.generator,     schedule.order_seed,
+            schedule.sides_seed, schedule.scene_rule,    store::plan_digest(schedule.trials),
+            request.renderer,    display.description,    display.timing_grade,
+            request.simulation,  request.override_reason};
+}
+
+// UTC texts of one form sort by time.
+std::string last_sign_of_life(const store::Sitting& begun) {
+    auto last = begun.start.started_utc;
+    if (!begun.events.empty())
+        last = std::max(last, begun.events.back().utc);
+    if (!begun.shown.empty())
+        last = std::max(last, begun.shown.back().onset_utc);
+    return last;
+}
+
+Progress progress_of(const store::Sitting& begun, WallTime now) {
+    Progress progress;
+    for (const auto& vote : begun.votes)
+        progress.voted.insert(vote.trial);
+    for (const auto& shown : begun.shown)
+        progress.presentations[shown.trial] =
+            std::max(progress.presentations[shown.trial], shown.presentation);
+    // What follows the training was reached: the training was done.
+    const auto was_shown = [&](const protocols::PlannedTrial& planned) {
+        return planned.phase != Phase::Training && progress.presentations.contains(planned.number);
+    };
+    progress.training_done = std::ranges::any_of(begun.plan, was_shown) &&
+                             last_sign_of_life(begun) >= utc_text(now - training_lasts);
+    return progress;
+}
+
+// Carries out what a sitting wants recorded.
+class Recorder {
+  public:
+    Recorder(const store::SittingKey& key, store::VoteStore& store, const Clock& clock)
+        : key_(key), store_(store), clock_(clock) {}
+
+    Expected<void> operator()(store::Shown shown) const {
+        shown.onset_utc = utc_of(Monotonic(shown.onset_ns), clock_);
+        return store_.append_shown(key_, shown);
+    }
+
+    Expected<void> operator()(store::MainVote vote) const {
+        vote.onset_utc = utc_of(Monotonic(vote.onset_ns), clock_);
+        return store_.append_vote(key_, vote);
+    }
+
+    Expected<void> operator()(store::SittingEvent event) const {
+        event.utc = utc_of(Monotonic(event.at_ns), clock_);
+        return store_.append_event(key_, event);
+    }
+
+    Expected<void> operator()(const Finish&) const {
+        return store_.finish_sitting(key_, utc_text(clock_.wall()));
+    }
+
+  private:
+    const store::SittingKey& key_;
+    store::VoteStore& store_;
+    const Clock& clock_;
+};
+
+// Advances the sitting and records what follows from it, until nothing more does.
+Expected<void> step(Sitting& sitting, const Recorder& record, std::vector<Effect> effects) {
+    while (!effects.empty()) {
+        bool vote_stored = false;
+        for (const auto& effect : effects) {
+            if (auto done = std::visit(record, effect); !done)
+                return done;
+            vote_stored = vote_stored || std::holds_alternative<store::MainVote>(effect);
+        }
+        effects = vote_stored ? sitting.advance({{}, VoteStored{}}) : std::vector<Effect>{};
+    }
+    return {};
+}
+
+// Shows and waits until the sitting is over.  True: it was finished.
+Expected<bool> run(Sitting& sitting, const Recorder& record, Screen& screen, const Clock& clock) {
+    auto done = step(sitting, record, sitting.begin(clock.now()));
+    for (int seen = 0; done;) {
+        if (const auto* end = std::get_if<EndView>(&sitting.view()))
+            return end->finished;
+        if (sitting.view_number() != seen) {
+            seen = sitting.view_number();
+            const auto onset = screen.show(sitting.view());
+            if (!onset)
+                return tl::unexpected(onset.error());
+            if (std::holds_alternative<PairView>(sitting.view())) {
+                done = step(sitting, record, sitting.advance(*onset));
+                continue;
+            }
+        }
+        if (const auto pair = sitting.upcoming())
+            screen.prepare(*pair);
+        const auto input = screen.wait(sitting.wake_at());
+        done = step(sitting, record, sitting.advance(input.value_or(Input{clock.now(), Waited{}})));
+    }
+    return tl::unexpected(done.error());
+}
+
+Expected<void> open_sitting(const SittingRequest& request,
+                            store::VoteStore& store,
+                            const Screen& screen,
+                            const Clock& clock,
+                            bool resumed) {
+    const auto now = clock.wall();
+    const auto display = screen.facts();
+    const auto note = [&](std::string kind, std::string detail) {
+        return store.append_event(request.key, {std::move(kind), std::move(detail),
+                                                clock.now().count(), utc_text(clock.wall())});
+    };
+    if (resumed)
+        return note("resumed", display.description);
+    auto done = store.add_observer(request.key.observer, utc_text(now));
+    if (done)
+        done = store.begin_sitting(start_of(request, display, now), request.schedule.trials);
+    if (done)
+        done = note("instructions",
+                    fmt::format("language={}; sha256={}", request.study.instructions.language,
+                                protocols::hexadecimal(
+                                    protocols::sha256(std::string_view(request.instructions)))));
+    return done;
+}
+
+} // namespace
+
+Expected<void>
+check_sitting(const SittingRequest& request, const store::VoteStore& store, const Clock& clock) {
+    if (split_pages(request.instructions).empty())
+        return tl::unexpected(fmt::format("{}: is empty, expected at least one page of "
+                                          "instructions",
+                                          request.study.instructions.file));
+    const auto begun = store.sitting(request.key);
+    if (!begun)
+        return tl::unexpected(begun.error());
+    if (*begun)
+        return check_resumption(request, **begun);
+    const auto sittings = store.sittings();
+    if (!sittings)
+        return tl::unexpected(sittings.error());
+    return check_dates(request, *sittings, local_date(clock.wall()));
+}
+
+Expected<SittingOutcome> conduct(const SittingRequest& request,
+                                 store::VoteStore& store,
+                                 Screen& screen,
+                                 const Clock& clock) {
+    if (auto allowed = check_sitting(request, store, clock); !allowed)
+        return tl::unexpected(allowed.error());
+    const auto begun = store.sitting(request.key);
+    if (!begun)
+        return tl::unexpected(begun.error());
+    SittingOutcome outcome;
+    outcome.resumed = begun->has_value();
+    if (auto opened = open_sitting(request, store, screen, clock, outcome.resumed); !opened)
+        return tl::unexpected(opened.error());
+
+    Sitting sitting({split_pages(request.instructions), request.study.question, request.study.plan,
+                     request.schedule.trials},
+                    *begun ? progress_of(**begun, clock.wall()) : Progress{});
+    const auto finished = run(sitting, Recorder(request.key, store, clock), screen, clock);
+    if (!finished)
+        return tl::unexpected(finished.error());
+    outcome.finished = *finished;
+    const auto now = store.sitting(request.key);
+    if (!now)
+        return tl::unexpected(now.error());
+    outcome.votes = static_cast<int>((*now)->votes.size());
+    return outcome;
+}
+
+} // namespace experiment::session

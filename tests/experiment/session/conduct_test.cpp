@@ -1,0 +1,278 @@
+#include "experiment/session/conduct.h"
+#include "experiment/session/observers.h"
+#include "experiment/session/simulated_screen.h"
+#include "experiment/store/sqlite_store.h"
+#include "tests/experiment/store/small_sitting.h"
+#include "tests/experiment/store/temporary_folder.h"
+
+namespace {
+
+using namespace experiment;
+using namespace experiment::session;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+const WallTime morning =
+    std::chrono::sys_days(std::chrono::year(2026) / 3 / 1) + std::chrono::hours(12);
+
+SittingRequest request_of(const std::string& observer, int session = 1) {
+    SittingRequest request;
+    request.study.id = tests::study.id;
+    request.study.question = "Which is more realistic?";
+    for (const auto* id : {"shss", "green", "phong"})
+        request.study.conditions.push_back({{id}, id, protocols::OwnImages{}, 0});
+    request.study_sha256 = tests::study.file_sha256;
+    request.key = tests::sitting_of(observer, session);
+    request.schedule = {tests::small_plan(), "pcg64", "01", "02", 0, "kept"};
+    request.instructions = "Welcome\n---\nHow to answer";
+    request.renderer = "llvmpipe";
+    return request;
+}
+
+class Conduct : public testing::Test {
+  protected:
+    SittingRequest simulated(const std::string& observer, int session = 1) {
+        auto request = request_of(observer, session);
+        request.simulation = text_of(observer_);
+        return request;
+    }
+
+    Expected<SittingOutcome> simulate(const SittingRequest& request, store::VoteStore& store) {
+        VirtualClock clock(morning);
+        SimulatedScreen screen(observer_, request.study.id, request.key.observer,
+                               request.key.session, clock);
+        return conduct(request, store, screen, clock);
+    }
+
+    std::unique_ptr<store::VoteStore> open(const std::string& name = "votes.sqlite") {
+        auto opened = store::open_or_create_votes(folder_.path() / name, tests::study);
+        EXPECT_TRUE(opened) << opened.error();
+        return std::move(*opened);
+    }
+
+    tests::TemporaryFolder folder_;
+    SimulatedObserver observer_ =
+        *parse_simulated_observer("noise=1;seed=5", request_of("S").study);
+};
+
+// A screen at which somebody stops (or the power fails) while a trial is shown.
+class InterruptedScreen final : public Screen {
+  public:
+    InterruptedScreen(Screen& screen, VirtualClock& clock, int trial, bool power_fails)
+        : screen_(screen), clock_(clock), trial_(trial), power_fails_(power_fails) {}
+
+    DisplayFacts facts() const override { return screen_.facts(); }
+
+    void prepare(const PairView& pair) override { screen_.prepare(pair); }
+
+    Expected<Input> show(const View& view) override {
+        if (const auto* pair = std::get_if<PairView>(&view))
+            stopping_ = pair->number == trial_;
+        if (stopping_ && power_fails_)
+            return tl::unexpected(std::string("the power failed"));
+        return screen_.show(view);
+    }
+
+    std::optional<Input> wait(std::optional<Monotonic> until) override {
+        if (!stopping_)
+            return screen_.wait(until);
+        clock_.advance(std::chrono::seconds(1));
+        return Input{clock_.now(), Pressed{Key::Escape}};
+    }
+
+  private:
+    Screen& screen_;
+    VirtualClock& clock_;
+    int trial_;
+    bool power_fails_;
+    bool stopping_ = false;
+};
+
+TEST_F(Conduct, TakesASimulatedObserverThroughAWholeSitting) {
+    const auto store = open();
+    const auto outcome = simulate(simulated("S1"), *store);
+    ASSERT_TRUE(outcome) << outcome.error();
+    EXPECT_TRUE(outcome->finished);
+    EXPECT_FALSE(outcome->resumed);
+    EXPECT_EQ(outcome->votes, 3);
+
+    const auto sitting = **store->sitting(tests::sitting_of("S1"));
+    EXPECT_EQ(sitting.start.started_utc, "2026-03-01T12:00:00.000Z");
+    EXPECT_EQ(sitting.start.simulation, text_of(observer_));
+    EXPECT_TRUE(sitting.finished_utc.has_value());
+    ASSERT_THAT(sitting.shown, SizeIs(5));
+    ASSERT_THAT(sitting.votes, SizeIs(3));
+    for (const auto& vote : sitting.votes) {
+        const auto& planned = sitting.plan[static_cast<std::size_t>(vote.trial - 1)];
+        const auto expected = answer(observer_, "glow", {"S1"}, 1, vote.trial, planned.trial);
+        EXPECT_EQ(vote.chosen == protocols::Choice::Left, expected.side == protocols::Side::Left);
+        EXPECT_EQ(vote.key_ns - vote.onset_ns, expected.response_time.count());
+        EXPECT_EQ(vote.device, "simulated");
+    }
+    // Two pages of 15 s, 500 ms of grey: the training pair appears after 30.5 s of virtual time.
+    EXPECT_EQ(sitting.shown[0].onset_utc, "2026-03-01T12:00:30.500Z");
+    EXPECT_EQ(sitting.shown[0].onset_source, "virtual");
+    EXPECT_EQ(sitting.shown[0].extra_ns, 0);
+    EXPECT_THAT(*store->verify(), IsEmpty());
+    const auto votes = *store->votes();
+    ASSERT_THAT(votes, SizeIs(3));
+    for (const auto& row : votes)
+        EXPECT_TRUE(row.simulated);
+}
+
+TEST_F(Conduct, DoesNotRepeatAFinishedSitting) {
+    const auto store = open();
+    ASSERT_TRUE(simulate(simulated("S1"), *store));
+    const auto votes = *store->votes();
+    EXPECT_THAT(simulate(simulated("S1"), *store).error(),
+                HasSubstr("session 1 of observer S1 is finished"));
+    EXPECT_EQ(*store->votes(), votes);
+    EXPECT_THAT(*store->verify(), IsEmpty());
+}
+
+TEST_F(Conduct, GoesOnWithASittingThatWasStoppedOrBroken) {
+    const auto whole = open("whole.sqlite");
+    ASSERT_TRUE(simulate(simulated("S1"), *whole));
+    for (const bool power_fails : {false, true})
+        for (int trial = 1; trial <= 5; ++trial) {
+            const auto name = std::to_string(trial) + (power_fails ? "broken" : "stopped");
+            const auto request = simulated("S1");
+            {
+                const auto store = open(name);
+                VirtualClock clock(morning);
+                SimulatedScreen within(observer_, "glow", {"S1"}, 1, clock);
+                InterruptedScreen screen(within, clock, trial, power_fails);
+                const auto outcome = conduct(request, *store, screen, clock);
+                EXPECT_EQ(outcome.has_value(), !power_fails);
+                EXPECT_TRUE(power_fails || !outcome->finished);
+                EXPECT_THAT(*store->votes(), SizeIs(std::max(0, trial - 3))) << name;
+            }
+            const auto store = open(name);
+            const auto outcome = simulate(request, *store);
+            ASSERT_TRUE(outcome) << outcome.error();
+            EXPECT_TRUE(outcome->resumed && outcome->finished);
+            const auto votes = *store->votes();
+            const auto expected = *whole->votes();
+            ASSERT_EQ(votes.size(), expected.size()) << name;
+            for (std::size_t i = 0; i < votes.size(); ++i) {
+                EXPECT_EQ(votes[i].pair, expected[i].pair);
+                EXPECT_EQ(votes[i].chosen, expected[i].chosen);
+                EXPECT_EQ(votes[i].response_time, expected[i].response_time);
+            }
+            EXPECT_THAT(*store->verify(), IsEmpty());
+        }
+}
+
+TEST_F(Conduct, NeverGoesOnAsAPersonWhereASimulationStopped) {
+    const auto store = open();
+    VirtualClock clock(morning);
+    SimulatedScreen within(observer_, "glow", {"S1"}, 1, clock);
+    InterruptedScreen screen(within, clock, 4, false);
+    ASSERT_TRUE(conduct(simulated("S1"), *store, screen, clock));
+    EXPECT_THAT(conduct(request_of("S1"), *store, screen, clock).error(),
+                HasSubstr("was begun as simulated (scores="));
+}
+
+TEST_F(Conduct, GoesOnWithTheSamePlanOnly) {
+    const auto store = open();
+    VirtualClock clock(morning);
+    SimulatedScreen within(observer_, "glow", {"S1"}, 1, clock);
+    InterruptedScreen screen(within, clock, 4, false);
+    auto request = simulated("S1");
+    ASSERT_TRUE(conduct(request, *store, screen, clock));
+    std::swap(request.schedule.trials[3].trial.left, request.schedule.trials[3].trial.right);
+    EXPECT_THAT(simulate(request, *store).error(), HasSubstr("with another plan"));
+}
+
+TEST_F(Conduct, KeepsSittingsOfAPersonDaysApart) {
+    const auto store = open();
+    ASSERT_TRUE(store->add_observer({"P1"}, "2026-03-01T08:59:00.000Z"));
+    auto start = tests::start_of(tests::sitting_of("P1"));
+    start.local_date = local_date(morning);
+    ASSERT_TRUE(store->begin_sitting(start, tests::small_plan()));
+    auto second = request_of("P1", 2);
+    EXPECT_THAT(check_sitting(second, *store, VirtualClock(morning)).error(),
+                HasSubstr("expected at least 1 day(s) between them"));
+    EXPECT_TRUE(check_sitting(second, *store, VirtualClock(morning + std::chrono::hours(24))));
+    EXPECT_TRUE(check_sitting(request_of("P2", 1), *store, VirtualClock(morning)));
+    second.override_reason = "leaves the country tomorrow";
+    EXPECT_TRUE(check_sitting(second, *store, VirtualClock(morning)));
+}
+
+TEST_F(Conduct, WantsInstructions) {
+    auto request = simulated("S1");
+    request.instructions = "\n---\n";
+    const auto store = open();
+    EXPECT_THAT(simulate(request, *store).error(), HasSubstr("instructions.md: is empty"));
+    EXPECT_THAT(*store->sittings(), IsEmpty());
+}
+
+// A store whose disk is full from some vote on.
+class FullStore final : public store::VoteStore {
+  public:
+    FullStore(store::VoteStore& within, int votes) : within_(within), left_(votes) {}
+
+    Expected<void> append_vote(const store::SittingKey& key, const store::MainVote& vote) override {
+        if (left_-- == 0)
+            return tl::unexpected(std::string("the disk is full"));
+        return within_.append_vote(key, vote);
+    }
+
+    Expected<void> add_observer(const protocols::ObserverId& id, const std::string& utc) override {
+        return within_.add_observer(id, utc);
+    }
+
+    Expected<void> begin_sitting(const store::SittingStart& start,
+                                 std::span<const protocols::PlannedTrial> plan) override {
+        return within_.begin_sitting(start, plan);
+    }
+
+    Expected<void> append_shown(const store::SittingKey& key, const store::Shown& shown) override {
+        return within_.append_shown(key, shown);
+    }
+
+    Expected<void> append_event(const store::SittingKey& key,
+                                const store::SittingEvent& event) override {
+        return within_.append_event(key, event);
+    }
+
+    Expected<void> finish_sitting(const store::SittingKey& key, const std::string& utc) override {
+        return within_.finish_sitting(key, utc);
+    }
+
+    Expected<store::StudyIdentity> study() const override { return within_.study(); }
+
+    Expected<std::vector<protocols::ObserverId>> observers() const override {
+        return within_.observers();
+    }
+
+    Expected<std::vector<store::SittingSummary>> sittings() const override {
+        return within_.sittings();
+    }
+
+    Expected<std::optional<store::Sitting>> sitting(const store::SittingKey& key) const override {
+        return within_.sitting(key);
+    }
+
+    Expected<std::vector<store::VoteRow>> votes() const override { return within_.votes(); }
+
+    Expected<std::vector<std::string>> verify() const override { return within_.verify(); }
+
+  private:
+    store::VoteStore& within_;
+    int left_;
+};
+
+TEST_F(Conduct, ShowsNoTrialAfterAVoteThatCouldNotBeStored) {
+    const auto store = open();
+    FullStore full(*store, 1);
+    EXPECT_EQ(simulate(simulated("S1"), full).error(), "the disk is full");
+    const auto sitting = **store->sitting(tests::sitting_of("S1"));
+    EXPECT_THAT(sitting.votes, SizeIs(1));
+    EXPECT_EQ(sitting.shown.back().trial, 4); // the one that was being answered
+    EXPECT_EQ(sitting.finished_utc, std::nullopt);
+}
+
+} // namespace

@@ -1,0 +1,127 @@
+#include "tests/experiment/session/scripted_sitting.h"
+
+#include "tests/experiment/store/small_sitting.h"
+
+#include <fmt/format.h>
+
+namespace tests {
+
+using namespace experiment::session;
+using experiment::store::MainVote;
+using experiment::store::Shown;
+using experiment::store::SittingEvent;
+using std::chrono::milliseconds;
+
+namespace {
+
+long long ms_of(std::int64_t ns) {
+    return ns / 1'000'000;
+}
+
+std::string words(const Effect& effect) {
+    if (const auto* shown = std::get_if<Shown>(&effect))
+        return fmt::format("shown {} #{} late {} ms", shown->trial, shown->presentation,
+                           ms_of(shown->extra_ns));
+    if (const auto* vote = std::get_if<MainVote>(&effect))
+        return fmt::format("vote {} {} {} ms early {}{}", vote->trial, vote->key_name,
+                           vote->response_time.count(), vote->early_keys,
+                           vote->held_key ? " held" : "");
+    if (const auto* event = std::get_if<SittingEvent>(&effect))
+        return fmt::format("event {} {}", event->kind, event->detail);
+    return "finish";
+}
+
+std::string words(const View& view) {
+    if (const auto* page = std::get_if<PageView>(&view))
+        return "page " + page->text.substr(0, page->text.find('\n'));
+    if (const auto* pair = std::get_if<PairView>(&view))
+        return fmt::format("pair {}", pair->number);
+    if (const auto* end = std::get_if<EndView>(&view))
+        return end->finished ? "end finished" : "end stopped";
+    return "grey";
+}
+
+} // namespace
+
+SittingScript short_script(int break_every) {
+    SittingScript script{
+        {"Welcome", "How to answer"}, "Which is more realistic?", {}, small_plan()};
+    script.plan.adapt_s = 1;
+    script.plan.break_every = break_every;
+    return script;
+}
+
+ScriptedSitting::ScriptedSitting(SittingScript script, Progress progress, long long onset_delay_ms)
+    : sitting_(std::move(script), std::move(progress)), onset_delay_ms_(onset_delay_ms) {
+    write(0, sitting_.begin(milliseconds(0)));
+    look(0);
+}
+
+void ScriptedSitting::feed(long long ms, decltype(Input::what) what) {
+    const auto effects = sitting_.advance({milliseconds(ms), std::move(what)});
+    write(ms, effects);
+    for (const auto& effect : effects)
+        if (std::holds_alternative<MainVote>(effect))
+            write(ms, sitting_.advance({{}, VoteStored{}}));
+    look(ms);
+}
+
+void ScriptedSitting::write(long long ms, const std::vector<Effect>& effects) {
+    for (const auto& effect : effects)
+        diary_.push_back(fmt::format("{} {}", ms, words(effect)));
+}
+
+void ScriptedSitting::look(long long ms) {
+    if (sitting_.view_number() == seen_)
+        return;
+    seen_ = sitting_.view_number();
+    diary_.push_back(fmt::format("{} {}", ms, words(sitting_.view())));
+    if (std::holds_alternative<PairView>(sitting_.view()))
+        write(ms + onset_delay_ms_,
+              sitting_.advance({milliseconds(ms + onset_delay_ms_), OnsetSeen{"scripted"}}));
+}
+
+void ScriptedSitting::press(long long ms, Key key, Device device) {
+    feed(ms, Pressed{key, device});
+    if (!std::holds_alternative<EndView>(sitting_.view()))
+        feed(ms, LetGo{key});
+}
+
+void ScriptedSitting::repeat(long long ms, Key key) {
+    feed(ms, Pressed{key, Device::Keyboard, true});
+}
+
+void ScriptedSitting::let_go(long long ms, Key key) {
+    feed(ms, LetGo{key});
+}
+
+void ScriptedSitting::lose_focus(long long ms) {
+    feed(ms, FocusLost{});
+}
+
+void ScriptedSitting::close(long long ms) {
+    feed(ms, CloseAsked{});
+}
+
+void ScriptedSitting::wait_until(long long ms) {
+    feed(ms, Waited{});
+}
+
+long long ScriptedSitting::pass_to_warm_up() {
+    press(2000, Key::Forward);
+    press(4000, Key::Forward);
+    wait_until(4500); // the training pair, onset at 4510
+    press(5000, Key::Left);
+    press(6000, Key::Release);
+    wait_until(7000);
+    return 7000;
+}
+
+std::vector<std::string> ScriptedSitting::news() {
+    const std::vector<std::string> fresh(diary_.begin() + static_cast<std::ptrdiff_t>(told_),
+                                         diary_.end());
+    told_ = diary_.size();
+    return fresh;
+}
+
+} // namespace tests
