@@ -1,0 +1,22 @@
+// Where the two pictures of a pair lie on the screen.
+#pragma once
+
+#include "protocols/expected.h"
+
+namespace experiment::session {
+
+struct PairLayout {
+    int left_x = 0;  ///< left edge of the left picture, pixels from the left
+    int right_x = 0; ///< left edge of the right picture
+    int top = 0;     ///< upper edge of both, pixels from the top
+    int width = 0;   ///< of each picture
+    int height = 0;
+    bool operator==(const PairLayout&) const = default;
+};
+
+/// Side by side, native pixels, one centre line, equal margins (to one pixel).
+/// Errors: pictures that do not fit; nothing is ever scaled.
+protocols::Expected<PairLayout>
+lay_out_pair(int screen_width, int screen_height, int width, int height, int gap);
+
+} // namespace experiment::session

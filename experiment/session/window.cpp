@@ -1,0 +1,311 @@
+// The screen that people sit in front of.
+#define GLFW_INCLUDE_NONE
+#include "experiment/session/window.h"
+
+#include "experiment/session/page_drawing.h"
+#include "experiment/session/pair_layout.h"
+#include "renderer/gpu/context.h"
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <deque>
+#include <span>
+
+namespace experiment::session {
+
+namespace {
+
+using renderer::gpu::PixelCanvas;
+
+// How often events are looked for: the resolution of response times.
+constexpr double poll_seconds = 0.001;
+
+Key key_of(int glfw_key) {
+    switch (glfw_key) {
+    case GLFW_KEY_LEFT:
+        return Key::Left;
+    case GLFW_KEY_RIGHT:
+        return Key::Right;
+    case GLFW_KEY_SPACE:
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+        return Key::Forward;
+    case GLFW_KEY_F9:
+        return Key::Release;
+    case GLFW_KEY_ESCAPE:
+        return Key::Escape;
+    default:
+        return Key::Other;
+    }
+}
+
+// GLFW's last complaint, for messages.
+std::string glfw_complaint() {
+    const char* words = nullptr;
+    return glfwGetError(&words) == GLFW_NO_ERROR || words == nullptr ? "no reason given" : words;
+}
+
+// The library, initialised while this lives.
+class Glfw {
+  public:
+    static Expected<std::unique_ptr<Glfw>> start() {
+        if (glfwInit() == GLFW_TRUE)
+            return std::unique_ptr<Glfw>(new Glfw);
+        const char* display = std::getenv("DISPLAY");
+        return tl::unexpected(fmt::format(
+            "there is no display to show pictures on (DISPLAY is {}; {}); expected a desktop, or "
+            "--simulate for a simulated observer, who needs none",
+            display ? fmt::format("\"{}\"", display) : "not set", glfw_complaint()));
+    }
+
+    ~Glfw() { glfwTerminate(); }
+
+    Glfw(const Glfw&) = delete;
+    Glfw& operator=(const Glfw&) = delete;
+
+  private:
+    Glfw() = default;
+};
+
+struct DestroyWindow {
+    void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+};
+
+using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
+
+Expected<GLFWmonitor*> chosen_monitor(int number) {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    if (number < 1 || number > count)
+        return tl::unexpected(
+            fmt::format("monitor {} was asked for, but there are {}; expected 1 to {}", number,
+                        count, count));
+    return monitors[number - 1];
+}
+
+Expected<WindowHandle> create_window(const WindowOptions& options, GLFWmonitor* monitor) {
+    const auto* mode = glfwGetVideoMode(monitor);
+    if (mode == nullptr)
+        return tl::unexpected("the monitor has no video mode: " + glfw_complaint());
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_RED_BITS, mode->redBits);
+    glfwWindowHint(GLFW_GREEN_BITS, mode->greenBits);
+    glfwWindowHint(GLFW_BLUE_BITS, mode->blueBits);
+    glfwWindowHint(GLFW_REFRESH_RATE, mode->refreshRate > 0 ? mode->refreshRate : GLFW_DONT_CARE);
+    glfwWindowHint(GLFW_SAMPLES, 0);
+    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
+    glfwWindowHint(GLFW_RESIZABLE, GLFW_FALSE);
+    const bool whole = !options.size;
+    const auto size = options.size.value_or(WindowSize{mode->width, mode->height});
+    WindowHandle window(glfwCreateWindow(size.width, size.height, "Pairlight session",
+                                         whole ? monitor : nullptr, nullptr));
+    if (!window)
+        return tl::unexpected(fmt::format("no window of {} x {} with OpenGL 4.5 core can be opened "
+                                          "({}); expected a driver with OpenGL 4.5, such as that "
+                                          "of the package libgl1-mesa-dri",
+                                          size.width, size.height, glfw_complaint()));
+    glfwMakeContextCurrent(window.get());
+    glfwSwapInterval(1);
+    return window;
+}
+
+class Window final : public Screen {
+  public:
+    Window(std::unique_ptr<Glfw> glfw,
+           WindowHandle window,
+           GLFWmonitor* monitor,
+           const WindowOptions& options,
+           PixelCanvas canvas,
+           PairLayout layout,
+           std::unique_ptr<PageDrawing> pages,
+           LoadPicture load,
+           const Clock& clock)
+        : glfw_(std::move(glfw)), window_(std::move(window)), monitor_(monitor), options_(options),
+          canvas_(canvas), layout_(layout), pages_(std::move(pages)),
+          cache_(std::move(load), options.picture_width, options.picture_height), clock_(clock) {
+        glfwSetWindowUserPointer(window_.get(), this);
+        glfwSetKeyCallback(window_.get(), [](GLFWwindow* window, int key, int, int action, int) {
+            self(window).on_key(key_of(key), action);
+        });
+        glfwSetMouseButtonCallback(window_.get(),
+                                   [](GLFWwindow* window, int button, int action, int) {
+                                       if (button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS)
+                                           self(window).on_click();
+                                   });
+        glfwSetWindowFocusCallback(window_.get(), [](GLFWwindow* window, int focused) {
+            if (focused == GLFW_FALSE)
+                self(window).happened(FocusLost{});
+        });
+        glfwSetWindowCloseCallback(window_.get(), [](GLFWwindow* window) {
+            glfwSetWindowShouldClose(window, GLFW_FALSE);
+            self(window).happened(CloseAsked{});
+        });
+        glfwSetWindowRefreshCallback(window_.get(),
+                                     [](GLFWwindow* window) { self(window).damaged_ = true; });
+        canvas_.clear(options_.surround);
+        surround_read_back_ = canvas_.read(0, 0, canvas_.width(), canvas_.height());
+    }
+
+    DisplayFacts facts() const override {
+        const auto* mode = glfwGetVideoMode(monitor_);
+        const auto* name = glfwGetMonitorName(monitor_);
+        const auto& back = surround_read_back_.rgb;
+        const bool exact = std::ranges::all_of(
+            back, [&](std::uint8_t code) { return code == options_.surround; });
+        return {fmt::format(
+                    "screen={}; monitor={}; monitor_resolution={}x{}; resolution={}x{}; "
+                    "refresh_hz={}; colour_bits={}/{}/{}; surround_code={}; surround_read_back={}; "
+                    "drawn_by={}",
+                    options_.size ? "window" : "full", name ? name : "unnamed",
+                    mode ? mode->width : 0, mode ? mode->height : 0, canvas_.width(),
+                    canvas_.height(),
+                    mode && mode->refreshRate > 0 ? std::to_string(mode->refreshRate)
+                                                  : "not reported",
+                    mode ? mode->redBits : 0, mode ? mode->greenBits : 0, mode ? mode->blueBits : 0,
+                    options_.surround,
+                    exact ? "exact" : fmt::format("{},{},{}", back[0], back[1], back[2]),
+                    renderer::gpu::description()),
+                "U"}; // the display's timing has not been tested
+    }
+
+    void prepare(const PairView& pair) override { cache_.prepare(pair); }
+
+    Expected<Input> show(const View& view) override {
+        view_ = view;
+        const bool is_pair = std::holds_alternative<PairView>(view);
+        glfwSetInputMode(window_.get(), GLFW_CURSOR, is_pair ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
+        if (auto drawn = draw(); !drawn)
+            return tl::unexpected(drawn.error());
+        glfwSwapBuffers(window_.get());
+        canvas_.finish();
+        return Input{clock_.now(), OnsetSeen{"swap_return"}};
+    }
+
+    // Nothing is drawn while waiting, unless something else covered the window.
+    std::optional<Input> wait(std::optional<Monotonic> until) override {
+        while (inputs_.empty()) {
+            double patience = poll_seconds;
+            if (until) {
+                const auto left = std::chrono::duration<double>(*until - clock_.now()).count();
+                if (left <= 0)
+                    return std::nullopt;
+                patience = std::min(patience, left);
+            }
+            glfwWaitEventsTimeout(patience);
+            cache_.upload_what_is_ready();
+            if (std::exchange(damaged_, false) && draw()) {
+                glfwSwapBuffers(window_.get());
+                canvas_.finish();
+            }
+        }
+        const auto input = inputs_.front();
+        inputs_.pop_front();
+        return input;
+    }
+
+  private:
+    static Window& self(GLFWwindow* window) {
+        return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+    }
+
+    // The clock is read first: what follows takes time.
+    void happened(decltype(Input::what) what) {
+        const auto now = clock_.now();
+        inputs_.push_back({now, std::move(what)});
+    }
+
+    void on_key(Key key, int action) {
+        if (action == GLFW_RELEASE)
+            happened(LetGo{key});
+        else
+            happened(Pressed{key, Device::Keyboard, action == GLFW_REPEAT});
+    }
+
+    void on_click() {
+        const auto now = clock_.now();
+        double x = 0, y = 0;
+        int width = 0, height = 0;
+        glfwGetCursorPos(window_.get(), &x, &y);
+        glfwGetWindowSize(window_.get(), &width, &height);
+        if (width <= 0 || height <= 0)
+            return;
+        // Where a desktop scales windows, the cursor is not counted in pixels.
+        x *= static_cast<double>(canvas_.width()) / width;
+        y *= static_cast<double>(canvas_.height()) / height;
+        const auto inside = [&](int left) {
+            return x >= left && x < left + layout_.width && y >= layout_.top &&
+                   y < layout_.top + layout_.height;
+        };
+        if (inside(layout_.left_x))
+            inputs_.push_back({now, Pressed{Key::Left, Device::Mouse}});
+        else if (inside(layout_.right_x))
+            inputs_.push_back({now, Pressed{Key::Right, Device::Mouse}});
+    }
+
+    // Draws the view to the buffer that is not on the screen.
+    Expected<void> draw() {
+        canvas_.clear(options_.surround);
+        if (const auto* page = std::get_if<PageView>(&view_))
+            return pages_->draw(*page);
+        if (const auto* pair = std::get_if<PairView>(&view_)) {
+            const auto pictures = cache_.get(*pair);
+            if (!pictures)
+                return tl::unexpected(pictures.error());
+            canvas_.draw((*pictures)->left, layout_.left_x, layout_.top);
+            canvas_.draw((*pictures)->right, layout_.right_x, layout_.top);
+        }
+        return {};
+    }
+
+    // What is destroyed first needs what is destroyed last: the order matters.
+    std::unique_ptr<Glfw> glfw_;
+    WindowHandle window_;
+    GLFWmonitor* monitor_;
+    WindowOptions options_;
+    PixelCanvas canvas_;
+    PairLayout layout_;
+    std::unique_ptr<PageDrawing> pages_;
+    PairCache cache_;
+    const Clock& clock_;
+    renderer::gpu::Picture8 surround_read_back_;
+    View view_ = GreyView{};
+    std::deque<Input> inputs_;
+    bool damaged_ = false;
+};
+
+} // namespace
+
+Expected<std::unique_ptr<Screen>>
+open_window(const WindowOptions& options, LoadPicture load, const Clock& clock) {
+    auto glfw = Glfw::start();
+    if (!glfw)
+        return tl::unexpected(glfw.error());
+    const auto monitor = chosen_monitor(options.monitor);
+    if (!monitor)
+        return tl::unexpected(monitor.error());
+    auto window = create_window(options, *monitor);
+    if (!window)
+        return tl::unexpected(window.error());
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window->get(), &width, &height);
+    const auto layout =
+        lay_out_pair(width, height, options.picture_width, options.picture_height, options.gap);
+    if (!layout)
+        return tl::unexpected(layout.error());
+    auto pages = PageDrawing::create(width, height);
+    if (!pages)
+        return tl::unexpected(pages.error());
+    auto screen = std::make_unique<Window>(std::move(*glfw), std::move(*window), *monitor, options,
+                                           PixelCanvas(width, height), *layout, std::move(*pages),
+                                           std::move(load), clock);
+    if (auto shown = screen->show(GreyView{}); !shown)
+        return tl::unexpected(shown.error());
+    return screen;
+}
+
+} // namespace experiment::session
