@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <set>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace renderer::geometry {
 
@@ -92,10 +92,11 @@ std::size_t drop_collapsed(Mesh& mesh) {
 }
 
 std::size_t drop_duplicates(Mesh& mesh) {
-    std::set<Triangle> seen;
+    std::unordered_set<Key, KeyHash> seen;
+    seen.reserve(mesh.triangles.size());
     return std::erase_if(mesh.triangles, [&](Triangle t) {
         std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-        return !seen.insert(t).second;
+        return !seen.insert({t[0], t[1], t[2]}).second;
     });
 }
 
