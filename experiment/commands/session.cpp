@@ -2,6 +2,7 @@
 #include "experiment/commands/commands.h"
 #include "experiment/commands/sittings.h"
 
+#include <cstdio>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -16,16 +17,30 @@ struct Options {
     std::string observer;
     int session = 0;
     std::optional<std::string> simulate;
-    WindowOptions window;
+    SeatOptions seat;
+    std::string window;
     Voice voice;
 };
 
-void run(const Options& options) {
+/// "1280x720" as a size.
+std::optional<session::WindowSize> window_size(const std::string& text) {
+    if (text.empty())
+        return std::nullopt;
+    session::WindowSize size;
+    int read = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%n", &size.width, &size.height, &read) != 2 ||
+        static_cast<std::size_t>(read) != text.size() || size.width < 1 || size.height < 1)
+        throw CommandError(fmt::format("--window {}: expected a size such as 1280x720", text));
+    return size;
+}
+
+void run(Options options) {
+    options.seat.size = window_size(options.window);
     const auto loaded = value_or_stop(read_study(options.study));
     const protocols::ObserverId observer{options.observer};
     const int session = options.session > 0 ? options.session : next_session(loaded, observer);
     const auto outcome = options.simulate ? simulate_sitting(loaded, observer, session, *options.simulate, 0)
-                                          : sit(loaded, observer, session, options.window, options.voice);
+                                          : sit(loaded, observer, session, options.seat, options.voice);
     fmt::print("{}: sitting {}, {} votes, {}\n", options.observer, session, outcome.votes,
                outcome.finished ? "finished" : "not finished");
 }
@@ -41,9 +56,9 @@ void add_session(CLI::App& program) {
         ->check(CLI::PositiveNumber);
     command->add_option("--simulate", options->simulate,
                         "Vote by a simulated observer, such as \"scores=a:1,b:0;noise=1;seed=7\"; no window");
-    command->add_option("--window", options->window.size, "A window of this size, such as 1280x720, not the full screen");
-    command->add_option("--monitor", options->window.monitor, "Which monitor, from 0")->check(CLI::NonNegativeNumber);
-    command->add_option("--override-days", options->window.override_reason,
+    command->add_option("--window", options->window, "A window of this size, such as 1280x720, not the full screen");
+    command->add_option("--monitor", options->seat.monitor, "Which monitor; 1 is the primary one")->check(CLI::PositiveNumber);
+    command->add_option("--override-days", options->seat.override_reason,
                         "Sit earlier than the study allows, for this reason; it is recorded");
     add_voice(*command, options->voice);
     command->callback([options] { run(*options); });

@@ -3,7 +3,7 @@
 
 #include "experiment/progress.h"
 #include "experiment/session/simulated_screen.h"
-#include "experiment/session/window_screen.h"
+#include "experiment/session/window.h"
 #include "experiment/stimuli/display_picture.h"
 #include "experiment/stimuli/render_study.h"
 #include "experiment/store/sqlite_store.h"
@@ -83,7 +83,7 @@ int next_session(const LoadedStudy& loaded, const ObserverId& observer) {
 session::SittingOutcome sit(const LoadedStudy& loaded,
                             const ObserverId& observer,
                             int session,
-                            const WindowOptions& options,
+                            const SeatOptions& options,
                             const Voice& voice) {
     const auto request = sitting_request(loaded, observer, session, {}, options.override_reason);
     for (const auto& planned : request.schedule.trials)
@@ -91,8 +91,14 @@ session::SittingOutcome sit(const LoadedStudy& loaded,
             value_or_stop(stimuli::find_picture(loaded, {planned.trial.scene, planned.trial.variant, condition}));
     const session::SystemClock clock;
     const auto screen = value_or_stop(session::open_window(
-        {.study = loaded.study, .monitor = options.monitor, .size = options.size},
-        [&](const protocols::Picture& picture) { return stimuli::picture_for_display(loaded, picture); }));
+        {.size = options.size,
+         .monitor = options.monitor,
+         .surround = static_cast<std::uint8_t>(loaded.study.surround.code),
+         .picture_width = loaded.study.width,
+         .picture_height = loaded.study.height,
+         .gap = loaded.study.plan.gap_px},
+        [&](const protocols::Picture& picture) { return stimuli::picture_for_display(loaded, picture); },
+        clock));
     const auto outcome = conducted(request, loaded, *screen, clock);
     voice.remark(fmt::format("{}: {} votes; {}", observer.value, outcome.votes,
                              outcome.finished ? "the sitting is finished" : "stopped; run it again to go on"));

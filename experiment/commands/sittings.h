@@ -4,6 +4,7 @@
 #include "experiment/commands/command.h"
 #include "experiment/read_study.h"
 #include "experiment/session/conduct.h"
+#include "experiment/session/window.h"
 #include "protocols/vocabulary.h"
 
 #include <optional>
@@ -23,9 +24,9 @@ session::SittingRequest sitting_request(const LoadedStudy& loaded,
 int next_session(const LoadedStudy& loaded, const protocols::ObserverId& observer);
 
 /// How a person sits: on which monitor or in a window of which size.
-struct WindowOptions {
-    int monitor = 0;   ///< counted from 0
-    std::string size;  ///< "1280x720" for a window, empty for the full screen
+struct SeatOptions {
+    std::optional<session::WindowSize> size; ///< of a window; without it, the full screen
+    int monitor = 1;                         ///< 1 is the primary one
     std::optional<std::string> override_reason;
 };
 
@@ -33,7 +34,7 @@ struct WindowOptions {
 session::SittingOutcome sit(const LoadedStudy& loaded,
                             const protocols::ObserverId& observer,
                             int session,
-                            const WindowOptions& options,
+                            const SeatOptions& options,
                             const Voice& voice);
 
 /// One sitting of a simulated observer, without a window and in virtual time: `days_later` than today.

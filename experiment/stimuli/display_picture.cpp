@@ -33,7 +33,7 @@ tl::expected<std::filesystem::path, std::string> find_picture(const LoadedStudy&
     return file;
 }
 
-tl::expected<imaging::EncodedImage, std::string> picture_for_display(const LoadedStudy& loaded,
+tl::expected<renderer::gpu::Picture8, std::string> picture_for_display(const LoadedStudy& loaded,
                                                                      const protocols::Picture& picture) {
     const auto file = find_picture(loaded, picture);
     if (!file)
@@ -45,7 +45,7 @@ tl::expected<imaging::EncodedImage, std::string> picture_for_display(const Loade
     if (image.width != loaded.study.width || image.height != loaded.study.height)
         return tl::unexpected(fmt::format("{}: is {}x{} pixels, the study says {}x{}", file->string(), image.width,
                                           image.height, loaded.study.width, loaded.study.height));
-    return image.bits == 8 ? image : imaging::encode_8bit(linear(image));
+    return bytes(image.bits == 8 ? image : imaging::encode_8bit(linear(image)));
 }
 
 }  // namespace experiment::stimuli
