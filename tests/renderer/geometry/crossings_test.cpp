@@ -1,6 +1,7 @@
 #include "renderer/geometry/bodies.h"
 #include "renderer/geometry/crossings.h"
 #include "renderer/harmonics/directions.h"
+#include "tests/renderer/geometry/assembly.h"
 
 #include <glm/glm.hpp>
 

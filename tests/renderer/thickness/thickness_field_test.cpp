@@ -4,6 +4,7 @@
 #include "renderer/harmonics/directions.h"
 #include "renderer/thickness/bands.h"
 #include "renderer/thickness/thickness_field.h"
+#include "tests/renderer/geometry/assembly.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>

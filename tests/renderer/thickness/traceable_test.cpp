@@ -1,6 +1,7 @@
 #include "renderer/geometry/bodies.h"
 #include "renderer/thickness/thickness_field.h"
 #include "renderer/thickness/traceable.h"
+#include "tests/renderer/geometry/assembly.h"
 
 #include <glm/geometric.hpp>
 
