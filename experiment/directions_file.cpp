@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>

@@ -4,13 +4,9 @@
 #include "protocols/schedule.h"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace experiment {
-
-/// One field, quoted where it has to be.
-std::string csv_field(std::string_view text);
 
 /// Fields joined by commas, with the line's end.
 std::string csv_row(const std::vector<std::string>& fields);

@@ -22,6 +22,14 @@ imaging::LinearImage linear(const imaging::EncodedImage& image) {
     return light;
 }
 
+renderer::gpu::Picture8 bytes(const imaging::EncodedImage& image) {
+    renderer::gpu::Picture8 picture{image.width, image.height, {}};
+    picture.rgb.reserve(image.codes.size());
+    for (const auto code : image.codes)
+        picture.rgb.push_back(static_cast<std::uint8_t>(code));
+    return picture;
+}
+
 }  // namespace
 
 tl::expected<std::filesystem::path, std::string> find_picture(const LoadedStudy& loaded,

@@ -4,11 +4,8 @@ namespace {
 
 using namespace experiment;
 
-TEST(CsvField, IsQuotedOnlyWhereItHasToBe) {
-    EXPECT_EQ(csv_field("plain"), "plain");
-    EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
-    EXPECT_EQ(csv_field("he said \"no\""), "\"he said \"\"no\"\"\"");
-    EXPECT_EQ(csv_field("two\nlines"), "\"two\nlines\"");
+TEST(CsvRow, QuotesOnlyWhatHasToBe) {
+    EXPECT_EQ(csv_row({"plain", "a,b", "he said \"no\""}), "plain,\"a,b\",\"he said \"\"no\"\"\"\n");
 }
 
 TEST(ScheduleTable, HasTheFormScriptsRelyOn) {
