@@ -1,5 +1,5 @@
 // How sure a scale is when observers differ: observers are drawn again, with all their votes.
-// [EfronTibshirani1993]
+// [Efron1987]
 #pragma once
 
 #include "analysis/scaling/choice_fit.h"

@@ -1,5 +1,5 @@
 // Bradley and Terry's scale: the log-odds that one condition is chosen over another are the
-// difference of their scores.  [BradleyTerry1952], [Firth1993], [Davidson1970]
+// difference of their scores.  [Bradley1952], [Firth1993], [Davidson1970]
 #pragma once
 
 #include "analysis/scaling/choice_fit.h"

@@ -1,5 +1,5 @@
 // The likelihood of choices between conditions on a scale, and its maximum by Newton's method.
-// [BradleyTerry1952], [Thurstone1927], [Firth1993], [Davidson1970]
+// [Bradley1952], [Thurstone1927], [Firth1993], [Davidson1970]
 #pragma once
 
 #include "analysis/scaling/choice_terms.h"

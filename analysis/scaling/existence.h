@@ -1,4 +1,4 @@
-// Whether votes put their conditions on one finite scale.  [Zermelo1929, Ford1957]
+// Whether votes put their conditions on one finite scale.  [Ford1957]
 #pragma once
 
 #include "analysis/scaling/counts.h"

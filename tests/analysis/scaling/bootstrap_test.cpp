@@ -1,5 +1,6 @@
 #include "analysis/numerics/distributions.h"
 #include "analysis/scaling/bootstrap.h"
+#include "protocols/random.h"
 #include "tests/analysis/scaling/expect_fit.h"
 #include "tests/analysis/scaling/golden_votes.h"
 
@@ -108,6 +109,40 @@ TEST(Bootstrap, OfIdenticalObserversIsAPoint) {
     EXPECT_EQ(drawn.bca[0].lower, drawn.bca[0].upper);
     EXPECT_NEAR(drawn.bca[0].lower, std::log(3) / 2, 1e-14);
     EXPECT_NEAR(drawn.standard_error[0], 0, 1e-14);
+}
+
+// 300 simulated experiments of three conditions, 40 observers, 3 votes a pair.  Coverage is
+// binomial with deviation 0.013 about a value a little below 0.95 (percentile intervals of 40 are 1
+// % short).
+TEST(Bootstrap, CoversAtItsLevel) {
+    const std::vector<double> truth{0.8, -0.1, -0.7};
+    protocols::Rng rng(protocols::Seed{5});
+    int percentile = 0, bca = 0;
+    const int experiments = 300;
+    for (int experiment = 0; experiment < experiments; ++experiment) {
+        std::vector<std::vector<std::int64_t>> wins(40, std::vector<std::int64_t>(9, 0));
+        for (auto& observer : wins)
+            for (std::size_t i = 0; i < 3; ++i)
+                for (std::size_t j = i + 1; j < 3; ++j)
+                    for (int vote = 0; vote < 3; ++vote) {
+                        const double p = choice_probability(Link::Logit, truth[i] - truth[j]);
+                        const bool first = protocols::draw_unit(rng) < p;
+                        ++observer[first ? i * 3 + j : j * 3 + i];
+                    }
+        std::vector<WinCounts> views;
+        for (const auto& observer : wins)
+            views.push_back({3, observer});
+        const auto drawn = bootstrap(
+            views,
+            {.replicates = 400, .seed = static_cast<std::uint64_t>(experiment), .threads = 1});
+        const auto covers = [&](const Interval& interval) {
+            return interval.lower <= truth[0] && truth[0] <= interval.upper;
+        };
+        percentile += covers(drawn.percentile[0]);
+        bca += covers(drawn.bca[0]);
+    }
+    EXPECT_NEAR(percentile / static_cast<double>(experiments), 0.945, 4 * 0.013);
+    EXPECT_NEAR(bca / static_cast<double>(experiments), 0.945, 4 * 0.013);
 }
 
 // Two observers who always disagree: half the replicates are unanimous and have no finite maximum.
