@@ -1,0 +1,197 @@
+// gnuplot scripts from findings.
+#include "experiment/report/figures.h"
+
+#include "experiment/report/gnuplot.h"
+#include "experiment/report/numbers.h"
+#include "experiment/report/shares.h"
+#include "experiment/report/simulated.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace experiment::report {
+
+namespace {
+
+constexpr const char* ink = "#22262b";
+constexpr const char* bar_blue = "#7fa8c9";
+
+// Sizes in points (1/72 inch), which SVG viewers show as pixels.
+std::string terminal(FigureForm form, int width, int height) {
+    const std::string common =
+        form == FigureForm::Svg
+            ? fmt::format("set terminal svg size {},{} dynamic noenhanced font 'sans-serif,14' "
+                          "background '#ffffff'\n",
+                          width, height)
+            : fmt::format("set terminal pdfcairo size {:.4f}in,{:.4f}in noenhanced font "
+                          "'sans-serif,12'\n",
+                          width / 72.0, height / 72.0);
+    return "set encoding utf8\n" + common +
+           fmt::format("set border lc rgb '{0}'\nset key off\nset tics nomirror textcolor rgb "
+                       "'{0}'\nset title textcolor rgb '{0}'\nset xlabel textcolor rgb '{0}'\n",
+                       ink);
+}
+
+// Ids may be long: a bar's name takes what it needs, and the bars get the rest.
+std::string names_at(const std::string& axis, const ReportContents& contents) {
+    std::string tics;
+    const auto& ranking = contents.findings.ranking;
+    for (std::size_t i = 0; i < ranking.size(); ++i)
+        tics += fmt::format("{}{} {}", i == 0 ? "" : ", ",
+                            gnuplot_string(condition_label(contents, ranking[i].condition)), i + 1);
+    return fmt::format("set {}tics ({})\n", axis, tics);
+}
+
+std::string number_or_nan(double value) {
+    return std::isnan(value) ? "NaN" : fmt::format("{:.17g}", value);
+}
+
+std::string bar_text(const analysis::RankedCondition& bar) {
+    std::string text = decimal(bar.mean_votes, 2);
+    if (!std::isnan(bar.lower))
+        text += fmt::format("  [{}, {}]", decimal(bar.lower, 2), decimal(bar.upper, 2));
+    return bar.letters.empty() ? text : text + "  " + bar.letters;
+}
+
+double greatest_score(const ReportContents& contents) {
+    return static_cast<double>(contents.findings.design.conditions.size()) - 1;
+}
+
+std::string bars_in_words(const ReportContents& contents) {
+    std::string text;
+    for (const auto& bar : contents.findings.ranking)
+        text += fmt::format("{}{} {}", text.empty() ? "" : "; ",
+                            condition_label(contents, bar.condition), bar_text(bar));
+    return text;
+}
+
+std::string matrix_in_words(const ReportContents& contents) {
+    std::string text;
+    const auto& ranking = contents.findings.ranking;
+    const auto& matrix = pooled_matrix(contents.findings);
+    for (std::size_t i = 0; i < ranking.size(); ++i)
+        for (std::size_t j = i + 1; j < ranking.size(); ++j) {
+            const auto a = ranking[i].condition;
+            const auto b = ranking[j].condition;
+            text += fmt::format("{}{} over {}: {} of {}", text.empty() ? "" : "; ",
+                                condition_label(contents, a), condition_label(contents, b),
+                                votes(votes_over(matrix, a, b)), matrix.comparisons(a, b));
+        }
+    return text;
+}
+
+} // namespace
+
+std::string interval_name(const ReportContents& contents) {
+    const auto& findings = contents.findings;
+    const bool any = std::ranges::any_of(
+        findings.ranking, [](const auto& bar) { return !std::isnan(bar.lower); });
+    if (!any)
+        return "";
+    return fmt::format("{} t intervals over {} observers", percent(1 - findings.options.level),
+                       findings.design.observers.size() -
+                           findings.design.incomplete_observers.size());
+}
+
+std::string mean_votes_script(const ReportContents& contents, FigureForm form) {
+    const auto& ranking = contents.findings.ranking;
+    const auto count = static_cast<int>(ranking.size());
+    std::string script = terminal(form, 720, 120 + 44 * count);
+    const std::string intervals = interval_name(contents);
+    script += fmt::format(
+        "set title {}\n",
+        gnuplot_string(marked_if_simulated(
+            contents, "Mean votes per round" + (intervals.empty() ? "" : ", " + intervals))));
+    script += fmt::format("set xlabel {}\n",
+                          gnuplot_string(fmt::format("votes per round (0 to {}); the dashed line "
+                                                     "is chance",
+                                                     greatest_score(contents))));
+    script += fmt::format("set xrange [0:{}]\nset yrange [{}.5:0.5]\n", greatest_score(contents),
+                          count);
+    script += names_at("y", contents);
+    script += fmt::format("set rmargin {}\nset border 3\nset ytics scale 0\nset style fill solid "
+                          "1.0 noborder\nset grid xtics lc rgb '#e3e6e8' lt 1 lw 0.5 back\n",
+                          27);
+    script += fmt::format("set arrow from {0},graph 0 to {0},graph 1 nohead lc rgb '#6b7178' dt 2 "
+                          "front\n",
+                          greatest_score(contents) / 2);
+    std::string data = "$bars << END\n";
+    for (int i = 0; i < count; ++i) {
+        const auto& bar = ranking[static_cast<std::size_t>(i)];
+        data += fmt::format("{} {} {} {}\n", i + 1, number_or_nan(bar.mean_votes),
+                            number_or_nan(bar.lower), number_or_nan(bar.upper));
+        script += fmt::format("set label {} at graph 1.02, first {} textcolor rgb '{}'\n",
+                              gnuplot_string(bar_text(bar)), i + 1, ink);
+    }
+    return script + data + "END\n" +
+           fmt::format("plot $bars using ($2/2):1:(0):2:($1-0.31):($1+0.31) with boxxyerror lc rgb "
+                       "'{}', $bars using 2:1:3:4 with xerrorbars pt 0 lw 1.6 lc rgb '{}'\n",
+                       bar_blue, ink);
+}
+
+std::string vote_matrix_script(const ReportContents& contents, FigureForm form) {
+    const auto& ranking = contents.findings.ranking;
+    const auto& matrix = pooled_matrix(contents.findings);
+    const auto count = static_cast<int>(ranking.size());
+    std::string script = terminal(form, 260 + 90 * count, 170 + 62 * count);
+    script += fmt::format(
+        "set title {}\n",
+        gnuplot_string(marked_if_simulated(contents, "Votes for the row over the column")));
+    script += fmt::format("set palette defined (0 '{}', 0.5 '{}', 1 '{}')\nset cbrange [0:1]\n",
+                          share_colour(0), share_colour(0.5), share_colour(1));
+    script += fmt::format("set cblabel 'share of the row' textcolor rgb '{}'\n", ink);
+    script += fmt::format("set xrange [0.5:{0}.5]\nset yrange [{0}.5:0.5]\n", count);
+    script += names_at("x", contents) + names_at("y", contents);
+    script += "set border 0\nset tics scale 0\nset xtics offset 0,-0.3\n";
+    if (count > 5)
+        script += "set xtics rotate by -35\n";
+    std::string data = "$cells << END\n";
+    for (int row = 0; row < count; ++row)
+        for (int column = 0; column < count; ++column) {
+            if (row == column)
+                continue;
+            const auto a = ranking[static_cast<std::size_t>(row)].condition;
+            const auto b = ranking[static_cast<std::size_t>(column)].condition;
+            data += fmt::format("{} {} {}\n", column + 1, row + 1,
+                                number_or_nan(share_over(matrix, a, b)));
+            script += fmt::format("set label {} at {},{} center front textcolor rgb '{}'\n",
+                                  gnuplot_string(votes(votes_over(matrix, a, b))), column + 1,
+                                  row + 1, ink);
+        }
+    return script + data + "END\n" +
+           "plot $cells using 1:2:($1-0.48):($1+0.48):($2-0.48):($2+0.48):3 with boxxyerror fs "
+           "solid 1.0 noborder lc palette\n";
+}
+
+tl::expected<std::vector<Figure>, std::string> draw_figures(const ReportContents& contents) {
+    const std::string intervals = interval_name(contents);
+    std::vector<Figure> figures{
+        {"mean-votes",
+         "Mean votes per round, best first" +
+             (intervals.empty() ? std::string(".")
+                                : "; whiskers are " + intervals +
+                                      ", each condition by itself. Conditions that share a letter "
+                                      "do not differ."),
+         bars_in_words(contents), "", ""},
+        {"vote-matrix",
+         "Votes for the row over the column; blue: the row was chosen more often than not.",
+         matrix_in_words(contents), "", ""}};
+    const auto draw = [&](auto&& script_of, Figure& figure) -> tl::expected<void, std::string> {
+        for (const auto form : {FigureForm::Svg, FigureForm::Pdf}) {
+            auto drawn = run_gnuplot(script_of(contents, form));
+            if (!drawn)
+                return tl::unexpected(drawn.error());
+            (form == FigureForm::Svg ? figure.svg : figure.pdf) = std::move(*drawn);
+        }
+        return {};
+    };
+    if (auto drawn = draw(mean_votes_script, figures[0]); !drawn)
+        return tl::unexpected(drawn.error());
+    if (auto drawn = draw(vote_matrix_script, figures[1]); !drawn)
+        return tl::unexpected(drawn.error());
+    return figures;
+}
+
+} // namespace experiment::report

@@ -1,0 +1,27 @@
+// The tables of votes and tests as HTML.  Captions and sections are the page's business.
+#pragma once
+
+#include "experiment/report/contents.h"
+
+#include <string>
+
+namespace experiment::report {
+
+/// Rank, votes, means, shares, intervals and letters; best first.
+std::string ranking_table(const ReportContents& contents);
+
+/// Share of row over column as colour, counts as text; best first.
+std::string vote_matrix_table(const ReportContents& contents, const analysis::VoteMatrix& matrix);
+
+/// Every effect with its error; what cannot be tested says why.
+std::string within_table(const analysis::anova::WithinAnalysis& analysis);
+
+std::string one_way_table(const analysis::anova::OneWay& analysis);
+
+/// Method and a scene factor with one pooled error.
+std::string two_way_table(const analysis::TwoWayFixed& analysis);
+
+/// Tukey's simultaneous intervals, with paired t by Holm beside them.
+std::string pair_table(const ReportContents& contents);
+
+} // namespace experiment::report
