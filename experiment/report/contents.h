@@ -31,8 +31,9 @@ struct SittingRow {
     std::string duration; ///< as people read it; "" for one that was not finished
     int votes = 0;
     std::string timing_grade;
-    std::string seeds;      ///< of the order and the sides
-    std::string simulation; ///< the simulated observer's specification; "" for a person
+    std::string order_seed;
+    std::string sides_seed;
+    bool simulated = false;
 };
 
 /// A stimulus, small enough to be carried in the page.

@@ -4,6 +4,7 @@
 #include "experiment/report/numbers.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -35,7 +36,9 @@ std::string tallied(const std::vector<Sitting>& sittings, Text&& text_of) {
     std::string lines;
     for (const auto& [text, count] : tally)
         lines += (lines.empty() ? "" : "\n") +
-                 (tally.size() == 1 ? text : fmt::format("{} ({} sessions)", text, count));
+                 (tally.size() == 1
+                      ? text
+                      : fmt::format("{} ({} session{})", text, count, count == 1 ? "" : "s"));
     return lines;
 }
 
@@ -83,8 +86,8 @@ std::vector<SittingRow> sitting_rows(const std::vector<Sitting>& sittings) {
         rows.push_back({sitting.start.key.observer.value, sitting.start.key.session,
                         sitting.start.local_date, duration(sitting),
                         static_cast<int>(sitting.votes.size()), sitting.start.timing_grade,
-                        sitting.start.order_seed + ", " + sitting.start.sides_seed,
-                        sitting.start.simulation.value_or("")});
+                        sitting.start.order_seed, sitting.start.sides_seed,
+                        sitting.start.simulation.has_value()});
     return rows;
 }
 
@@ -192,31 +195,32 @@ std::string training_content(const std::vector<Sitting>& sittings) {
 FactList about_the_design(const Records& records, const Findings& findings) {
     const auto& study = records.study;
     const auto conditions = findings.design.conditions.size();
-    return {"Design",
-            {{"Pairs", fmt::format("{} for each scene and variant", conditions * (conditions - 1) / 2)},
-             {"Repetitions", fmt::format("{} in a session, {} sessions of an observer planned",
-                                         study.plan.repetitions, study.plan.sessions)},
-             {"Complete", findings.design.complete ? "yes" : "no"},
-             {"Order", known(tallied(records.sittings,
-                                     [](const auto& s) { return s.start.scene_rule; }))},
-             {"Seed of the study", fmt::format("{}", study.seed)},
-             {"Generator", known(tallied(records.sittings,
-                                         [](const auto& s) { return s.start.generator; }))},
-             {"Warm-ups", fmt::format("{} at the start of a session; their answers are not kept",
-                                      study.plan.warm_ups)},
-             {"A session as planned", known(training_content(records.sittings))}}};
+    return {
+        "Design",
+        {{"Pairs", fmt::format("{} for each scene and variant", conditions * (conditions - 1) / 2)},
+         {"Repetitions", fmt::format("{} in a session, {} sessions of an observer planned",
+                                     study.plan.repetitions, study.plan.sessions)},
+         {"Complete", findings.design.complete ? "yes" : "no"},
+         {"Order",
+          known(tallied(records.sittings, [](const auto& s) { return s.start.scene_rule; }))},
+         {"Seed of the study", fmt::format("{}", study.seed)},
+         {"Generator",
+          known(tallied(records.sittings, [](const auto& s) { return s.start.generator; }))},
+         {"Warm-ups", fmt::format("{} at the start of a session; their answers are not kept",
+                                  study.plan.warm_ups)},
+         {"A session as planned", known(training_content(records.sittings))}}};
 }
 
 FactList about_the_display(const Records& records) {
     return {"Display and room",
-            {{"Display", known(tallied(records.sittings,
-                                       [](const auto& s) { return s.start.display; }))},
-             {"Shown by", known(tallied(records.sittings,
-                                        [](const auto& s) { return s.start.renderer; }))},
+            {{"Display",
+              known(tallied(records.sittings, [](const auto& s) { return s.start.display; }))},
+             {"Shown by",
+              known(tallied(records.sittings, [](const auto& s) { return s.start.renderer; }))},
              {"Calibration", {}},
              {"Peak and black luminance", {}},
-             {"Surround", fmt::format("code value {} of 255 in every channel",
-                                      records.study.surround.code)},
+             {"Surround",
+              fmt::format("code value {} of 255 in every channel", records.study.surround.code)},
              {"Surround as measured", {}},
              {"Room illuminance", {}},
              {"Background ratio and chromaticity", {}},
@@ -255,6 +259,14 @@ std::string overrides(const std::vector<Sitting>& sittings) {
     return lines;
 }
 
+std::optional<std::string> simulations(const std::vector<Sitting>& sittings) {
+    if (sittings.empty())
+        return {};
+    const auto specifications =
+        tallied(sittings, [](const auto& s) { return s.start.simulation.value_or(""); });
+    return specifications.empty() ? "none" : specifications;
+}
+
 FactList about_the_sessions(const Records& records) {
     const auto& sittings = records.sittings;
     const auto finished = std::ranges::count_if(
@@ -262,14 +274,13 @@ FactList about_the_sessions(const Records& records) {
     return {"Sessions as held",
             {{"Begun, finished", fmt::format("{}, {}", sittings.size(), finished)},
              {"Days apart, at least", fmt::format("{}", records.study.plan.days_apart)},
-             {"Exceptions from that", sittings.empty()
-                                          ? std::nullopt
-                                          : known(overrides(sittings).empty()
-                                                      ? "none"
-                                                      : overrides(sittings))},
+             {"Exceptions from that",
+              sittings.empty() ? std::nullopt
+                               : known(overrides(sittings).empty() ? "none" : overrides(sittings))},
+             {"Simulated observers", simulations(sittings)},
              {"Events", known(events_in_words(sittings))},
-             {"Timing grade", known(tallied(sittings,
-                                            [](const auto& s) { return s.start.timing_grade; }))},
+             {"Timing grade",
+              known(tallied(sittings, [](const auto& s) { return s.start.timing_grade; }))},
              {"Dropped frames", {}}}};
 }
 
@@ -282,8 +293,8 @@ std::string response_times(const std::vector<Sitting>& sittings) {
         return "";
     std::ranges::sort(times);
     const auto middle = times.size() / 2;
-    const auto median = times.size() % 2 == 1 ? times[middle]
-                                              : (times[middle - 1] + times[middle]) / 2;
+    const auto median =
+        times.size() % 2 == 1 ? times[middle] : (times[middle - 1] + times[middle]) / 2;
     return fmt::format("median {} ms; {} of {} under {} ms", median.count(),
                        std::ranges::count_if(times, [](auto t) { return t < fast_answer; }),
                        times.size(), fast_answer.count());
@@ -349,10 +360,10 @@ report_contents(const Records& records, analysis::Findings findings, std::string
     contents.labels = labels_of(records.study);
     contents.sittings = sitting_rows(records.sittings);
     contents.brightness = brightness_rows(records);
-    contents.facts = {about_the_study(records, findings),   about_the_stimuli(records),
-                      about_the_design(records, findings),  about_the_display(records),
-                      about_the_observers(findings),        about_the_sessions(records),
-                      about_the_votes(records, findings),   about_deviations(records, findings)};
+    contents.facts = {about_the_study(records, findings),  about_the_stimuli(records),
+                      about_the_design(records, findings), about_the_display(records),
+                      about_the_observers(findings),       about_the_sessions(records),
+                      about_the_votes(records, findings),  about_deviations(records, findings)};
     contents.findings = std::move(findings);
     return contents;
 }

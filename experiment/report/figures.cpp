@@ -16,6 +16,7 @@ namespace experiment::report {
 namespace {
 
 constexpr const char* ink = "#22262b";
+constexpr int bar_width = 720;
 constexpr const char* bar_blue = "#7fa8c9";
 
 // Sizes in points (1/72 inch), which SVG viewers show as pixels.
@@ -34,7 +35,6 @@ std::string terminal(FigureForm form, int width, int height) {
                        ink);
 }
 
-// Ids may be long: a bar's name takes what it needs, and the bars get the rest.
 std::string names_at(const std::string& axis, const ReportContents& contents) {
     std::string tics;
     const auto& ranking = contents.findings.ranking;
@@ -42,6 +42,24 @@ std::string names_at(const std::string& axis, const ReportContents& contents) {
         tics += fmt::format("{}{} {}", i == 0 ? "" : ", ",
                             gnuplot_string(condition_label(contents, ranking[i].condition)), i + 1);
     return fmt::format("set {}tics ({})\n", axis, tics);
+}
+
+std::size_t characters(const std::string& text) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char byte) { return (byte & 0xc0) != 0x80; }));
+}
+
+// gnuplot does not know how wide letters are in SVG and leaves far too much room for them.  So the
+// names' share of the width is set here: 0.56 em is wide for a mean letter of a sans serif face.
+double name_margin(const ReportContents& contents, int width) {
+    std::size_t longest = 0;
+    for (const auto& place : contents.findings.ranking)
+        longest = std::max(longest, characters(condition_label(contents, place.condition)));
+    return std::min(0.5, (0.56 * 14 * static_cast<double>(longest) + 24) / width);
+}
+
+int matrix_width(const ReportContents& contents) {
+    return 480 + 90 * static_cast<int>(contents.findings.ranking.size());
 }
 
 std::string number_or_nan(double value) {
@@ -86,8 +104,8 @@ std::string matrix_in_words(const ReportContents& contents) {
 
 std::string interval_name(const ReportContents& contents) {
     const auto& findings = contents.findings;
-    const bool any = std::ranges::any_of(
-        findings.ranking, [](const auto& bar) { return !std::isnan(bar.lower); });
+    const bool any = std::ranges::any_of(findings.ranking,
+                                         [](const auto& bar) { return !std::isnan(bar.lower); });
     if (!any)
         return "";
     return fmt::format("{} t intervals over {} observers", percent(1 - findings.options.level),
@@ -97,29 +115,25 @@ std::string interval_name(const ReportContents& contents) {
 
 std::string mean_votes_script(const ReportContents& contents, FigureForm form) {
     const auto& ranking = contents.findings.ranking;
-    const auto count = static_cast<int>(ranking.size());
-    std::string script = terminal(form, 720, 120 + 44 * count);
     const std::string intervals = interval_name(contents);
-    script += fmt::format(
-        "set title {}\n",
-        gnuplot_string(marked_if_simulated(
-            contents, "Mean votes per round" + (intervals.empty() ? "" : ", " + intervals))));
-    script += fmt::format("set xlabel {}\n",
-                          gnuplot_string(fmt::format("votes per round (0 to {}); the dashed line "
-                                                     "is chance",
-                                                     greatest_score(contents))));
-    script += fmt::format("set xrange [0:{}]\nset yrange [{}.5:0.5]\n", greatest_score(contents),
-                          count);
+    const std::string title = "Mean votes per round" + (intervals.empty() ? "" : ", " + intervals);
+    const double greatest = greatest_score(contents);
+    std::string script = terminal(form, bar_width, 110 + 44 * static_cast<int>(ranking.size()));
+    script += fmt::format("set title {}\n", gnuplot_string(marked_if_simulated(contents, title)));
+    script += fmt::format("set xlabel 'votes per round (0 to {}); the dashed line is chance'\n",
+                          greatest);
+    script += fmt::format("set xrange [0:{}]\nset yrange [{}.5:0.5]\n", greatest, ranking.size());
     script += names_at("y", contents);
-    script += fmt::format("set rmargin {}\nset border 3\nset ytics scale 0\nset style fill solid "
-                          "1.0 noborder\nset grid xtics lc rgb '#e3e6e8' lt 1 lw 0.5 back\n",
-                          27);
+    script += fmt::format("set lmargin at screen {:.3f}\nset rmargin at screen 0.745\n",
+                          name_margin(contents, bar_width));
+    script += "set border 3\nset xtics out\nset ytics scale 0\nset style fill solid 1.0 noborder\n"
+              "set grid xtics lc rgb '#e3e6e8' lt 1 lw 0.5 back\n";
     script += fmt::format("set arrow from {0},graph 0 to {0},graph 1 nohead lc rgb '#6b7178' dt 2 "
                           "front\n",
-                          greatest_score(contents) / 2);
+                          greatest / 2);
     std::string data = "$bars << END\n";
-    for (int i = 0; i < count; ++i) {
-        const auto& bar = ranking[static_cast<std::size_t>(i)];
+    for (std::size_t i = 0; i < ranking.size(); ++i) {
+        const auto& bar = ranking[i];
         data += fmt::format("{} {} {} {}\n", i + 1, number_or_nan(bar.mean_votes),
                             number_or_nan(bar.lower), number_or_nan(bar.upper));
         script += fmt::format("set label {} at graph 1.02, first {} textcolor rgb '{}'\n",
@@ -135,16 +149,17 @@ std::string vote_matrix_script(const ReportContents& contents, FigureForm form) 
     const auto& ranking = contents.findings.ranking;
     const auto& matrix = pooled_matrix(contents.findings);
     const auto count = static_cast<int>(ranking.size());
-    std::string script = terminal(form, 260 + 90 * count, 170 + 62 * count);
-    script += fmt::format(
-        "set title {}\n",
-        gnuplot_string(marked_if_simulated(contents, "Votes for the row over the column")));
+    std::string script = terminal(form, matrix_width(contents), 150 + 62 * count);
+    script += fmt::format("set title {}\n", gnuplot_string(marked_if_simulated(
+                                                contents, "Votes for the row over the column")));
     script += fmt::format("set palette defined (0 '{}', 0.5 '{}', 1 '{}')\nset cbrange [0:1]\n",
                           share_colour(0), share_colour(0.5), share_colour(1));
     script += fmt::format("set cblabel 'share of the row' textcolor rgb '{}'\n", ink);
     script += fmt::format("set xrange [0.5:{0}.5]\nset yrange [{0}.5:0.5]\n", count);
     script += names_at("x", contents) + names_at("y", contents);
     script += "set border 0\nset tics scale 0\nset xtics offset 0,-0.3\n";
+    script += fmt::format("set lmargin at screen {:.3f}\nset rmargin at screen 0.86\n",
+                          name_margin(contents, matrix_width(contents)));
     if (count > 5)
         script += "set xtics rotate by -35\n";
     std::string data = "$cells << END\n";

@@ -2,6 +2,9 @@
 #include "experiment/report/gnuplot.h"
 
 #include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -9,10 +12,6 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace experiment::report {
 

@@ -28,7 +28,7 @@ std::string superscript(int exponent) {
 std::string scientific(double value, int digits) {
     const std::string text = fmt::format("{:.{}e}", value, digits - 1);
     const auto e = text.find('e');
-    return with_minus(text.substr(0, e)) + " \u00d7 10" +
+    return with_minus(text.substr(0, e)) + "\u00a0\u00d7\u00a010" +
            superscript(std::stoi(text.substr(e + 1)));
 }
 
@@ -40,7 +40,7 @@ std::string scientific_from_log10(double log10_p, int digits) {
         mantissa = 1;
         power += 1;
     }
-    return fmt::format("{:.{}f} \u00d7 10{}", mantissa, digits - 1,
+    return fmt::format("{:.{}f}\u00a0\u00d7\u00a010{}", mantissa, digits - 1,
                        superscript(static_cast<int>(power)));
 }
 
@@ -67,6 +67,10 @@ std::string significant(double value, int digits) {
     return decimal(value, std::max(0, digits - 1 - power));
 }
 
+std::string degrees(double df) {
+    return decimal(df, df == std::floor(df) ? 0 : 2);
+}
+
 std::string p_value(double p, double log10_p) {
     if (std::isnan(p))
         return no_number;
@@ -82,15 +86,15 @@ std::string p_value(double p) {
 }
 
 std::string p_equals(double p, double log10_p) {
-    return "p = " + p_value(p, log10_p);
+    return "p\u00a0=\u00a0" + p_value(p, log10_p);
 }
 
 std::string p_equals(double p) {
-    return "p = " + p_value(p);
+    return "p\u00a0=\u00a0" + p_value(p);
 }
 
 std::string percent(double share) {
-    return std::isnan(share) ? no_number : decimal(100 * share, 0) + " %";
+    return std::isnan(share) ? no_number : decimal(100 * share, 0) + "\u00a0%";
 }
 
 std::string votes(double count) {

@@ -1,4 +1,5 @@
-// Numbers as a reader wants them: few digits, a real minus sign, a dash for what is not defined.
+// Numbers as a reader wants them: few digits, a real minus sign, a dash for what is not defined,
+// and no line break inside.
 // All digits are in findings.json.
 #pragma once
 
@@ -15,6 +16,9 @@ std::string decimal(double value, int decimals);
 /// With so many significant digits, powers of ten only where they are needed: "59.34", "0.0041",
 /// "6.6 \u00d7 10\u207b\u00b9\u00b2".
 std::string significant(double value, int digits);
+
+/// Degrees of freedom: whole where they are, else two decimals.
+std::string degrees(double df);
 
 /// A p-value: three decimals down to 0.001, two significant digits below; `log10_p` speaks where
 /// p is too small for a double.

@@ -14,6 +14,7 @@
 #include "experiment/text_files.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +57,7 @@ class Body {
 
     void figure(const Figure& figure) {
         captioned(fmt::format("Figure {}", ++figures_), figure.caption,
-                  fmt::format("<img src=\"{}\" alt=\"{}\">",
+                  fmt::format("<div class=\"wide\"><img src=\"{}\" alt=\"{}\"></div>",
                               data_address("image/svg+xml", figure.svg),
                               escaped(marked_if_simulated(contents_, figure.description))));
     }
@@ -79,6 +80,15 @@ std::string counted(std::int64_t count, const std::string& one) {
     return fmt::format("{} {}{}", grouped(count), one, count == 1 ? "" : "s");
 }
 
+// "9 scenes", or what a scene is made of: "9 scenes (model \u00d7 light)".
+std::string scenes_in_words(const analysis::DesignFacts& design) {
+    const auto scenes = counted(design.scenes, "scene");
+    if (design.factor_names.size() < 2)
+        return scenes;
+    return fmt::format("{} ({})", scenes,
+                       escaped(fmt::format("{}", fmt::join(design.factor_names, " \u00d7 "))));
+}
+
 void add_opening(Body& body, const ReportContents& contents) {
     const auto& design = contents.findings.design;
     body.add(fmt::format("<h1>{}</h1>\n", escaped(contents.title)));
@@ -88,7 +98,7 @@ void add_opening(Body& body, const ReportContents& contents) {
     body.add(fmt::format(
         "<p class=\"facts\">{} \u00b7 {} \u00b7 {} \u00b7 {} \u00b7 {}{}</p>\n",
         counted(static_cast<std::int64_t>(design.conditions.size()), "condition"),
-        counted(design.scenes, "scene"), counted(static_cast<std::int64_t>(observers), "observer"),
+        scenes_in_words(design), counted(static_cast<std::int64_t>(observers), "observer"),
         counted(design.votes, "vote"), escaped(contents.written_on),
         observers < formal_observers
             ? fmt::format("<br><span class=\"tag\">informal study (fewer than {} observers)</span>",
@@ -128,7 +138,7 @@ void add_factor_matrices(Body& body, const ReportContents& contents, std::size_t
     for (const auto& scoped : findings.matrices)
         if (scoped.scope == name)
             body.table(level_label(contents, factor, scoped.scene.at(factor)) + ".",
-                       vote_matrix_table(contents, scoped.matrix));
+                       vote_matrix_table(contents, scoped.matrix, MatrixHeads::Places));
     body.add("</div>\n");
 }
 
@@ -136,7 +146,7 @@ void add_matrices(Body& body, const ReportContents& contents) {
     body.heading("Who was chosen over whom");
     body.table("Votes for the row over the column, all scenes and observers together. Blue: the "
                "row was chosen more often than not.",
-               vote_matrix_table(contents, pooled_matrix(contents.findings)));
+               vote_matrix_table(contents, pooled_matrix(contents.findings), MatrixHeads::Names));
     for (std::size_t factor = 0; factor < contents.findings.design.factor_names.size(); ++factor)
         add_factor_matrices(body, contents, factor);
 }
@@ -150,8 +160,9 @@ void add_default_tests(Body& body, const ReportContents& contents) {
         return;
     }
     body.table("Analysis of variance within observers, on each observer's mean votes per round: "
-               "the default. GG and HF: p corrected by Greenhouse and Geisser, and by Huynh and "
-               "Feldt.",
+               "the default. The error of an effect is its interaction with observers. GG and "
+               "HF: p corrected by Greenhouse and Geisser, and by Huynh and Feldt; \u03b7\u00b2: "
+               "partial and generalised.",
                within_table(findings.within.front().analysis));
     body.notes("within");
     if (!findings.within_tukey.pairs.empty())
@@ -185,9 +196,9 @@ void add_paper_tests(Body& body, const ReportContents& contents) {
     body.notes("one_way");
     for (const auto* one_way : {&findings.one_way_observers, &findings.one_way_rounds})
         if (*one_way)
-            body.table(fmt::format("One-way analysis of variance; one value is one {}.",
-                                   (*one_way)->unit),
-                       one_way_table((*one_way)->anova));
+            body.table(
+                fmt::format("One-way analysis of variance; one value is one {}.", (*one_way)->unit),
+                one_way_table((*one_way)->anova));
     if (findings.two_way) {
         body.table(fmt::format("Analysis of variance of condition and {} with one pooled error.",
                                findings.two_way->factor),
@@ -214,8 +225,10 @@ void add_circumstances(Body& body, const ReportContents& contents) {
         body.heading("Sessions");
         body.table("The sessions.", sitting_table(contents.sittings));
     }
+    if (!contents.facts.empty())
+        body.heading("Circumstances");
     for (const auto& list : contents.facts) {
-        body.heading(list.heading);
+        body.subheading(list.heading);
         body.add(fact_list(list.facts));
     }
 }
@@ -249,12 +262,11 @@ std::string report_page(const ReportContents& contents, const std::vector<Figure
     add_stimuli(body, contents);
     add_circumstances(body, contents);
     add_methods(body, contents);
-    return filled(
-        page_html,
-        {{"style", std::string(page_css)},
-         {"program", escaped(contents.findings.options.program)},
-         {"window_title", escaped(marked_if_simulated(contents, contents.title))},
-         {"body", body.markup()}});
+    return filled(page_html,
+                  {{"style", std::string(page_css)},
+                   {"program", escaped(contents.findings.options.program)},
+                   {"window_title", escaped(marked_if_simulated(contents, contents.title))},
+                   {"body", body.markup()}});
 }
 
 tl::expected<std::filesystem::path, std::string> write_report(const std::filesystem::path& folder,
@@ -265,8 +277,7 @@ tl::expected<std::filesystem::path, std::string> write_report(const std::filesys
     for (const auto& figure : *figures)
         for (const auto& [ending, bytes] :
              {std::pair{".svg", &figure.svg}, std::pair{".pdf", &figure.pdf}})
-            if (auto written =
-                    write_text_file(folder / "figures" / (figure.name + ending), *bytes);
+            if (auto written = write_text_file(folder / "figures" / (figure.name + ending), *bytes);
                 !written)
                 return tl::unexpected(written.error());
     const auto page = folder / "report.html";

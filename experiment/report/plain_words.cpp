@@ -71,9 +71,8 @@ Quoted quoted_p(const WithinEffect& effect) {
 
 std::string f_in_words(const WithinEffect& effect) {
     std::string text =
-        fmt::format("F({}, {}) = {}, {}", significant(effect.test.df1, 4),
-                    significant(effect.test.df2, 4), significant(effect.test.f, 4),
-                    p_equals(effect.test.p, effect.test.log10_p));
+        fmt::format("F({}, {}) = {}, {}", degrees(effect.test.df1), degrees(effect.test.df2),
+                    significant(effect.test.f, 4), p_equals(effect.test.p, effect.test.log10_p));
     if (const auto quoted = quoted_p(effect); !quoted.how.empty())
         text += fmt::format(" ({} with {})", p_equals(quoted.p), quoted.how);
     return text + fmt::format(", partial eta squared {}", decimal(effect.eta_squared_partial, 3));
@@ -84,17 +83,20 @@ std::string effect_in_words(const ReportContents& contents) {
     const auto* effect = findings.method_effect();
     if (effect == nullptr)
         return fmt::format("No analysis of variance: {}.", findings.why_no_anova.empty()
-                                                                ? "it was not computed"
-                                                                : findings.why_no_anova);
+                                                               ? "it was not computed"
+                                                               : findings.why_no_anova);
     if (std::isnan(effect->test.p))
         return fmt::format("The analysis of variance has no answer: {}.", effect->test.reason);
     const bool differ = quoted_p(*effect).p < findings.options.level;
     return fmt::format(
         "{}: repeated-measures analysis of variance of the {} observers' mean votes, {}, at the {} "
-        "level. The units are observers: this is about people like them, and these scenes.{}",
+        "level. {}{}",
         differ ? "The conditions differ by more than observers do among themselves"
                : "A difference between the conditions was not found",
         analysed_observers(findings), f_in_words(*effect), percent(findings.options.level),
+        findings.design.simulated
+            ? "The units are observers, and here at least one of them is simulated."
+            : "The units are observers: this is about people like them, and these scenes.",
         differ ? "" : " That does not show them to be equal.");
 }
 
@@ -112,15 +114,14 @@ std::string pairs_in_words(const ReportContents& contents) {
     const std::string by =
         fmt::format("By Tukey's test at the {} level for all {} together ({} error degrees of "
                     "freedom), ",
-                    percent(test.level), plural(test.pairs.size(), "pair"),
-                    significant(test.df, 4));
+                    percent(test.level), plural(test.pairs.size(), "pair"), degrees(test.df));
     if (alike.empty())
         return by + "every condition differs from every other.";
     if (different == 0)
         return by + "no two conditions differ.";
     if (alike.size() > pairs_in_a_sentence)
-        return by + fmt::format("{} differ; the table of pairs says which.",
-                                plural(different, "pair"));
+        return by +
+               fmt::format("{} differ; the table of pairs says which.", plural(different, "pair"));
     return by + fmt::format("all pairs differ except {}.", listed(alike));
 }
 

@@ -22,8 +22,7 @@ constexpr Colour winning{0x6c, 0xa5, 0xd3};
 } // namespace
 
 const analysis::VoteMatrix& pooled_matrix(const analysis::Findings& findings) {
-    const auto all =
-        std::ranges::find(findings.matrices, "all", &analysis::ScopedMatrix::scope);
+    const auto all = std::ranges::find(findings.matrices, "all", &analysis::ScopedMatrix::scope);
     EXPECTS(all != findings.matrices.end());
     return all->matrix;
 }

@@ -10,10 +10,15 @@ namespace experiment::report {
 /// Rank, votes, means, shares, intervals and letters; best first.
 std::string ranking_table(const ReportContents& contents);
 
-/// Share of row over column as colour, counts as text; best first.
-std::string vote_matrix_table(const ReportContents& contents, const analysis::VoteMatrix& matrix);
+/// What stands above a matrix's columns: conditions' names, or their places in the rows.
+enum class MatrixHeads { Names, Places };
 
-/// Every effect with its error; what cannot be tested says why.
+/// Share of row over column as colour, counts as text; best first.
+std::string vote_matrix_table(const ReportContents& contents,
+                              const analysis::VoteMatrix& matrix,
+                              MatrixHeads heads);
+
+/// Every effect with its error, the effect x observer; what cannot be tested says why.
 std::string within_table(const analysis::anova::WithinAnalysis& analysis);
 
 std::string one_way_table(const analysis::anova::OneWay& analysis);
@@ -21,7 +26,8 @@ std::string one_way_table(const analysis::anova::OneWay& analysis);
 /// Method and a scene factor with one pooled error.
 std::string two_way_table(const analysis::TwoWayFixed& analysis);
 
-/// Tukey's simultaneous intervals, with paired t by Holm beside them.
+/// Tukey's simultaneous intervals, with paired t by Holm beside them; each pair with the greater
+/// mean first.
 std::string pair_table(const ReportContents& contents);
 
 } // namespace experiment::report

@@ -45,6 +45,10 @@ Expected<void> write_png(const std::filesystem::path& file,
                          const EncodedImage& image,
                          const std::vector<TextEntry>& texts = {});
 
+/// The bytes of a PNG file, for pictures that are carried inside something else.
+/// Errors: those of the encoder.  EXPECTS on sizes.
+Expected<std::string> png_bytes(const EncodedImage& image);
+
 /// Reads PNG, JPEG or TIFF of 8 or 16 bits per channel.
 /// Errors: the file is missing or no picture; channels other than RGB or RGBA; alpha that is not
 ///         opaque everywhere; pixels that are not 8 or 16-bit integers; stored turned or mirrored.

@@ -113,6 +113,13 @@ TEST_F(ImageFiles, PngKeepsEveryCode) {
     }
 }
 
+TEST_F(ImageFiles, PngInMemoryIsPngOnDisk) {
+    ASSERT_TRUE(write_png(file("a.png"), ramp(8)));
+    const auto bytes = png_bytes(ramp(8));
+    ASSERT_TRUE(bytes.has_value()) << bytes.error();
+    EXPECT_EQ(*bytes, bytes_of(file("a.png")));
+}
+
 TEST_F(ImageFiles, KeepWhatTheyAreToldAboutThemselves) {
     const std::vector<TextEntry> texts{{"stimulus:id", "bunny/back/shss-5"},
                                        {"Software", "pairlight 0.1.0"}};

@@ -1,0 +1,125 @@
+#include "experiment/report/facts.h"
+#include "tests/experiment/report/shared_experiment.h"
+
+#include <algorithm>
+
+namespace {
+
+using namespace experiment::report;
+using namespace experiment::store;
+using std::chrono::milliseconds;
+using testing::HasSubstr;
+
+Records two_sittings() {
+    Records records;
+    auto& study = records.study;
+    study.id = "pilot";
+    study.title = "A pilot";
+    study.question = "Which is more realistic?";
+    study.seed = 42;
+    study.width = 512;
+    study.height = 384;
+    study.conditions = {{{"SHSS"}, "SHSS, 25 coefficients", {}, 3}, {{"Green"}, "", {}, 4}};
+    study.scenes = {{.id = {"Dragon"}, .label = "the dragon"}};
+    study.variants = {{.id = {"back"}, .label = "from behind"}};
+    records.study_sha256 = "feedbeef";
+
+    experiment::stimuli::Manifest manifest;
+    auto& picture = manifest.pictures[{{"Dragon"}, {"back"}, {"SHSS"}}];
+    picture.renderer = "OpenGL: llvmpipe";
+    picture.dials = {{"bands", "5"}};
+    picture.brightness = {.mean_before = 0.1, .target = 0.2, .gain = 2, .clipped_share = 0};
+    records.manifest = manifest;
+
+    Sitting first;
+    first.start = {.key = {{"O01"}, 1},
+                   .local_date = "2026-11-20",
+                   .started_utc = "2026-11-20T09:00:00.250Z",
+                   .order_seed = "0a",
+                   .sides_seed = "0b",
+                   .scene_rule = "no two neighbours share a scene",
+                   .timing_grade = "A"};
+    first.finished_utc = "2026-11-20T09:12:05.250Z";
+    first.votes = {{.trial = 8, .response_time = milliseconds(250), .early_keys = 2},
+                   {.trial = 9, .response_time = milliseconds(1750)}};
+    first.events = {{.kind = "break"}, {.kind = "break"}, {.kind = "resumed"}};
+    Sitting second = first;
+    second.start.key.session = 2;
+    second.start.scene_rule = "one pair of neighbours shares a scene";
+    second.start.simulation = "scores SHSS=1 Green=0";
+    second.start.override_reason = "the observer leaves tomorrow";
+    second.finished_utc.reset();
+    records.sittings = {first, second};
+    return records;
+}
+
+std::optional<std::string>
+value_of(const ReportContents& contents, const std::string& heading, const std::string& name) {
+    const auto list = std::ranges::find(contents.facts, heading, &FactList::heading);
+    EXPECT_NE(list, contents.facts.end()) << heading;
+    const auto fact = std::ranges::find(list->facts, name, &Fact::name);
+    EXPECT_NE(fact, list->facts.end()) << name;
+    return fact->value;
+}
+
+ReportContents contents_under_test() {
+    return report_contents(two_sittings(), shared_experiment().findings, "2026-11-22");
+}
+
+TEST(ReportFacts, TellWhatIsOnRecord) {
+    const auto contents = contents_under_test();
+    EXPECT_EQ(contents.title, "A pilot");
+    EXPECT_EQ(value_of(contents, "Study", "Study file, SHA-256"), "feedbeef");
+    EXPECT_EQ(value_of(contents, "Stimuli", "Drawn by"), "OpenGL: llvmpipe");
+    EXPECT_EQ(value_of(contents, "Stimuli", "Conditions"),
+              "SHSS, 25 coefficients (bands 5)\nGreen");
+    EXPECT_EQ(value_of(contents, "Design", "Seed of the study"), "42");
+    EXPECT_EQ(value_of(contents, "Design", "Order"),
+              "no two neighbours share a scene (1 session)\n"
+              "one pair of neighbours shares a scene (1 session)");
+    EXPECT_EQ(value_of(contents, "Sessions as held", "Begun, finished"), "2, 1");
+    EXPECT_EQ(value_of(contents, "Sessions as held", "Events"), "break 4, resumed 2");
+    EXPECT_EQ(value_of(contents, "Sessions as held", "Exceptions from that"),
+              "O01, session 2: the observer leaves tomorrow");
+    EXPECT_EQ(value_of(contents, "Votes", "Answers before input opened"), "4");
+    EXPECT_EQ(value_of(contents, "Votes", "Response times"), "median 1000 ms; 2 of 4 under 300 ms");
+    EXPECT_EQ(value_of(contents, "Votes", "Left picture chosen"), "849 of 1620 votes");
+}
+
+TEST(ReportFacts, LeaveOpenWhatIsNot) {
+    const auto contents = contents_under_test();
+    EXPECT_EQ(value_of(contents, "Observers", "Vision tests"), std::nullopt);
+    EXPECT_EQ(value_of(contents, "Display and room", "Room illuminance"), std::nullopt);
+    EXPECT_EQ(value_of(contents, "Study", "Instructions"), std::nullopt);
+    const auto empty = report_contents({}, shared_experiment().findings, "");
+    EXPECT_EQ(value_of(empty, "Design", "Order"), std::nullopt);
+    EXPECT_EQ(value_of(empty, "Votes", "Response times"), std::nullopt);
+    EXPECT_EQ(value_of(empty, "Stimuli", "Drawn by"), std::nullopt);
+}
+
+TEST(ReportFacts, NameTheDeviations) {
+    const auto text = value_of(contents_under_test(),
+                               "Deviations from ITU-R BT.500, data and licence", "Deviations");
+    ASSERT_TRUE(text.has_value());
+    EXPECT_THAT(*text, HasSubstr("10 observers, fewer than 15: informal"));
+    EXPECT_THAT(*text, HasSubstr("sessions nearer to each other than planned"));
+}
+
+TEST(ReportFacts, ListSittingsAndBrightness) {
+    const auto contents = contents_under_test();
+    ASSERT_EQ(contents.sittings.size(), 2U);
+    EXPECT_EQ(contents.sittings[0].duration, "12 min 5 s");
+    EXPECT_EQ(contents.sittings[0].order_seed, "0a");
+    EXPECT_EQ(contents.sittings[0].sides_seed, "0b");
+    EXPECT_FALSE(contents.sittings[0].simulated);
+    EXPECT_EQ(contents.sittings[1].duration, "");
+    EXPECT_TRUE(contents.sittings[1].simulated);
+    EXPECT_EQ(value_of(contents, "Sessions as held", "Simulated observers"),
+              "scores SHSS=1 Green=0");
+    ASSERT_EQ(contents.brightness.size(), 1U);
+    EXPECT_EQ(contents.brightness[0].gain, 2);
+    EXPECT_EQ(contents.labels.scenes.at("Dragon"), "the dragon");
+    EXPECT_EQ(condition_label(contents, 0), "SHSS, 25 coefficients");
+}
+
+} // namespace
