@@ -24,15 +24,16 @@ bool is_ready(const std::future<T>& future) {
 std::future<PairCache::Decoded> PairCache::decode(const protocols::Trial& trial,
                                                   const protocols::ConditionId& condition) const {
     const protocols::Picture wanted{trial.scene, trial.variant, condition};
-    return std::async(std::launch::async, [=, load = load_, width = width_,
-                                           height = height_]() -> Decoded {
-        auto picture = load(wanted);
-        if (picture && (picture->width != width || picture->height != height))
-            return tl::unexpected(fmt::format("{}: the picture has {} x {} pixels, expected {} x {}",
-                                              protocols::picture_path(wanted), picture->width,
-                                              picture->height, width, height));
-        return picture;
-    });
+    return std::async(
+        std::launch::async, [=, load = load_, width = width_, height = height_]() -> Decoded {
+            auto picture = load(wanted);
+            if (picture && (picture->width != width || picture->height != height))
+                return tl::unexpected(
+                    fmt::format("{}: the picture has {} x {} pixels, expected {} x {}",
+                                protocols::picture_path(wanted), picture->width, picture->height,
+                                width, height));
+            return picture;
+        });
 }
 
 void PairCache::prepare(const PairView& pair) {

@@ -80,9 +80,8 @@ Expected<GLFWmonitor*> chosen_monitor(int number) {
     int count = 0;
     GLFWmonitor** monitors = glfwGetMonitors(&count);
     if (number < 1 || number > count)
-        return tl::unexpected(
-            fmt::format("monitor {} was asked for, but there are {}; expected 1 to {}", number,
-                        count, count));
+        return tl::unexpected(fmt::format(
+            "monitor {} was asked for, but there are {}; expected 1 to {}", number, count, count));
     return monitors[number - 1];
 }
 
@@ -129,48 +128,43 @@ class Window final : public Screen {
           canvas_(canvas), layout_(layout), pages_(std::move(pages)),
           cache_(std::move(load), options.picture_width, options.picture_height), clock_(clock) {
         glfwSetWindowUserPointer(window_.get(), this);
-        glfwSetKeyCallback(window_.get(), [](GLFWwindow* window, int key, int, int action, int) {
-            self(window).on_key(key_of(key), action);
-        });
+        glfwSetKeyCallback(window_.get(),
+                           [](GLFWwindow* event_window, int key, int, int action, int) {
+                               self(event_window).on_key(key_of(key), action);
+                           });
         glfwSetMouseButtonCallback(window_.get(),
-                                   [](GLFWwindow* window, int button, int action, int) {
+                                   [](GLFWwindow* event_window, int button, int action, int) {
                                        if (button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS)
-                                           self(window).on_click();
+                                           self(event_window).on_click();
                                    });
-        glfwSetWindowFocusCallback(window_.get(), [](GLFWwindow* window, int focused) {
+        glfwSetWindowFocusCallback(window_.get(), [](GLFWwindow* event_window, int focused) {
             if (focused == GLFW_FALSE)
-                self(window).happened(FocusLost{});
+                self(event_window).happened(FocusLost{});
         });
-        glfwSetWindowCloseCallback(window_.get(), [](GLFWwindow* window) {
-            glfwSetWindowShouldClose(window, GLFW_FALSE);
-            self(window).happened(CloseAsked{});
+        glfwSetWindowCloseCallback(window_.get(), [](GLFWwindow* event_window) {
+            glfwSetWindowShouldClose(event_window, GLFW_FALSE);
+            self(event_window).happened(CloseAsked{});
         });
-        glfwSetWindowRefreshCallback(window_.get(),
-                                     [](GLFWwindow* window) { self(window).damaged_ = true; });
-        canvas_.clear(options_.surround);
-        surround_read_back_ = canvas_.read(0, 0, canvas_.width(), canvas_.height());
+        glfwSetWindowRefreshCallback(
+            window_.get(), [](GLFWwindow* event_window) { self(event_window).damaged_ = true; });
+        check_pixels();
     }
 
     DisplayFacts facts() const override {
         const auto* mode = glfwGetVideoMode(monitor_);
         const auto* name = glfwGetMonitorName(monitor_);
-        const auto& back = surround_read_back_.rgb;
-        const bool exact = std::ranges::all_of(
-            back, [&](std::uint8_t code) { return code == options_.surround; });
-        return {fmt::format(
-                    "screen={}; monitor={}; monitor_resolution={}x{}; resolution={}x{}; "
-                    "refresh_hz={}; colour_bits={}/{}/{}; surround_code={}; surround_read_back={}; "
-                    "drawn_by={}",
-                    options_.size ? "window" : "full", name ? name : "unnamed",
-                    mode ? mode->width : 0, mode ? mode->height : 0, canvas_.width(),
-                    canvas_.height(),
-                    mode && mode->refreshRate > 0 ? std::to_string(mode->refreshRate)
-                                                  : "not reported",
-                    mode ? mode->redBits : 0, mode ? mode->greenBits : 0, mode ? mode->blueBits : 0,
-                    options_.surround,
-                    exact ? "exact" : fmt::format("{},{},{}", back[0], back[1], back[2]),
-                    renderer::gpu::description()),
-                "U"}; // the display's timing has not been tested
+        return {
+            fmt::format(
+                "screen={}; monitor={}; monitor_resolution={}x{}; resolution={}x{}; "
+                "refresh_hz={}; colour_bits={}/{}/{}; surround_code={}; surround_read_back={}; "
+                "picture_read_back={}; drawn_by={}",
+                options_.size ? "window" : "full", name ? name : "unnamed", mode ? mode->width : 0,
+                mode ? mode->height : 0, canvas_.width(), canvas_.height(),
+                mode && mode->refreshRate > 0 ? std::to_string(mode->refreshRate) : "not reported",
+                mode ? mode->redBits : 0, mode ? mode->greenBits : 0, mode ? mode->blueBits : 0,
+                options_.surround, surround_exact_ ? "exact" : "changed",
+                picture_exact_ ? "exact" : "changed", renderer::gpu::description()),
+            "U"}; // the display's timing has not been tested
     }
 
     void prepare(const PairView& pair) override { cache_.prepare(pair); }
@@ -178,7 +172,8 @@ class Window final : public Screen {
     Expected<Input> show(const View& view) override {
         view_ = view;
         const bool is_pair = std::holds_alternative<PairView>(view);
-        glfwSetInputMode(window_.get(), GLFW_CURSOR, is_pair ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
+        glfwSetInputMode(window_.get(), GLFW_CURSOR,
+                         is_pair ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
         if (auto drawn = draw(); !drawn)
             return tl::unexpected(drawn.error());
         glfwSwapBuffers(window_.get());
@@ -209,6 +204,24 @@ class Window final : public Screen {
     }
 
   private:
+    // Draws what a sitting draws, once, and looks at what came of it.  A driver's first drawing of
+    // a kind can take a tenth of a second, which would make the first onset late.
+    void check_pixels() {
+        canvas_.clear(options_.surround);
+        const auto surround = canvas_.read(0, 0, canvas_.width(), canvas_.height());
+        surround_exact_ = std::ranges::all_of(
+            surround.rgb, [&](std::uint8_t code) { return code == options_.surround; });
+        renderer::gpu::Picture8 codes{16, 16, {}}; // every code value in every channel
+        for (int code = 0; code < 256; ++code)
+            for (const int value : {code, 255 - code, code ^ 0x55})
+                codes.rgb.push_back(static_cast<std::uint8_t>(value));
+        const renderer::gpu::UploadedPicture uploaded(codes);
+        if (canvas_.width() < codes.width || canvas_.height() < codes.height)
+            return;
+        canvas_.draw(uploaded, 0, 0);
+        picture_exact_ = canvas_.read(0, 0, codes.width, codes.height) == codes;
+    }
+
     static Window& self(GLFWwindow* window) {
         return *static_cast<Window*>(glfwGetWindowUserPointer(window));
     }
@@ -262,7 +275,7 @@ class Window final : public Screen {
         return {};
     }
 
-    // What is destroyed first needs what is destroyed last: the order matters.
+    // Destroyed from the last to the first: textures before the window, the window before GLFW.
     std::unique_ptr<Glfw> glfw_;
     WindowHandle window_;
     GLFWmonitor* monitor_;
@@ -272,7 +285,8 @@ class Window final : public Screen {
     std::unique_ptr<PageDrawing> pages_;
     PairCache cache_;
     const Clock& clock_;
-    renderer::gpu::Picture8 surround_read_back_;
+    bool surround_exact_ = false;
+    bool picture_exact_ = false;
     View view_ = GreyView{};
     std::deque<Input> inputs_;
     bool damaged_ = false;

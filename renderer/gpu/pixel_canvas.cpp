@@ -92,8 +92,7 @@ Picture8 PixelCanvas::read(int left, int top, int width, int height) const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(previous));
     Picture8 picture{width, height, {}};
     picture.rgb.reserve(upward.size());
-    for (auto end = upward.end(); end != upward.begin();
-         end -= static_cast<std::ptrdiff_t>(row))
+    for (auto end = upward.end(); end != upward.begin(); end -= static_cast<std::ptrdiff_t>(row))
         picture.rgb.insert(picture.rgb.end(), end - static_cast<std::ptrdiff_t>(row), end);
     return picture;
 }
