@@ -28,9 +28,10 @@ tl::expected<stimuli::ModelRecord, std::string> record_of(const geometry::Model&
                                 .sha256 = protocols::hexadecimal(protocols::sha256(*bytes))};
 }
 
-}  // namespace
+} // namespace
 
-tl::expected<LoadedModel, std::string> load_model(const std::string& name, const StudyFolder& folder) {
+tl::expected<LoadedModel, std::string> load_model(const std::string& name,
+                                                  const StudyFolder& folder) {
     const auto model = geometry::find_model(name, {folder.root, model_folders(folder)});
     if (!model)
         return tl::unexpected(model.error());
@@ -48,4 +49,4 @@ tl::expected<LoadedModel, std::string> load_model(const std::string& name, const
     return LoadedModel{std::move(prepared->mesh), std::move(*record), describe(prepared->repairs)};
 }
 
-}  // namespace experiment
+} // namespace experiment

@@ -5,10 +5,10 @@
 #include "experiment/study_folder.h"
 #include "renderer/geometry/mesh.h"
 
+#include <tl/expected.hpp>
+
 #include <string>
 #include <vector>
-
-#include <tl/expected.hpp>
 
 namespace experiment {
 
@@ -21,6 +21,7 @@ struct LoadedModel {
 
 /// `name` is a body's name, a name on the search path, or a path (from the study folder).
 /// Errors: where it was looked for, or what is wrong with the mesh and where.
-tl::expected<LoadedModel, std::string> load_model(const std::string& name, const StudyFolder& folder);
+tl::expected<LoadedModel, std::string> load_model(const std::string& name,
+                                                  const StudyFolder& folder);
 
-}  // namespace experiment
+} // namespace experiment

@@ -18,9 +18,10 @@ std::string csv_row(const std::vector<std::string>& fields) {
 std::string schedule_csv(const protocols::Schedule& schedule) {
     std::string table = "trial,phase,scene,variant,left,right\n";
     for (const auto& planned : schedule.trials)
-        table += csv_row({fmt::format("{}", planned.number), std::string(store::word_of(planned.phase)),
-                          planned.trial.scene.value, planned.trial.variant.value,
-                          planned.trial.left.value, planned.trial.right.value});
+        table +=
+            csv_row({fmt::format("{}", planned.number), std::string(store::word_of(planned.phase)),
+                     planned.trial.scene.value, planned.trial.variant.value,
+                     planned.trial.left.value, planned.trial.right.value});
     return table;
 }
 

@@ -2,8 +2,8 @@
 #include "analysis/findings_json.h"
 #include "analysis/findings_text.h"
 #include "experiment/commands/commands.h"
+#include "experiment/commands/steps.h"
 #include "experiment/text_files.h"
-#include "experiment/vote_source.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -11,14 +11,6 @@
 #include <memory>
 
 namespace experiment::commands {
-
-analysis::Findings findings_of(const VoteSource& votes) {
-    analysis::AnalysisOptions options;
-    options.source = votes.name;
-    options.source_digest = votes.sha256;
-    options.program = PAIRLIGHT_PROGRAM_VERSION;
-    return analysis::analyze(votes.table, options);
-}
 
 void add_analyze(CLI::App& program) {
     struct Options {

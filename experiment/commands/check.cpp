@@ -34,7 +34,9 @@ void say_what_is_asked(const Study& study) {
                "sittings a day or more apart\n",
                study.id, t, study.scenes.size(), shown_variants(study).size(),
                pictures * t * (t - 1) / 2 * static_cast<std::size_t>(study.plan.repetitions),
-               study.plan.sessions);
+               study.plan.sessions == 1 ? "one sitting"
+                                        : fmt::format("{} sittings at least {} days apart",
+                                                      study.plan.sessions, study.plan.days_apart));
 }
 
 void say_how_long(const Study& study) {

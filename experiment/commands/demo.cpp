@@ -64,7 +64,7 @@ void run_demo(const std::string& folder, const Voice& voice) {
     voice.remark(fmt::format("3/4 the votes: {} simulated observers have finished the study",
                              simulated_observers));
 
-    const auto report = write_report(loaded, voice);
+    const auto report = write_study_report(loaded, voice);
     voice.remark(fmt::format("4/4 the report, {} after the start",
                              spoken_duration(std::chrono::duration_cast<std::chrono::seconds>(
                                  std::chrono::steady_clock::now() - start))));

@@ -2,11 +2,11 @@
 #include "experiment/commands/commands.h"
 #include "experiment/commands/sittings.h"
 
-#include <cstdio>
-#include <memory>
-
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+
+#include <cstdio>
+#include <memory>
 
 namespace experiment::commands {
 
@@ -39,29 +39,35 @@ void run(Options options) {
     const auto loaded = value_or_stop(read_study(options.study));
     const protocols::ObserverId observer{options.observer};
     const int session = options.session > 0 ? options.session : next_session(loaded, observer);
-    const auto outcome = options.simulate ? simulate_sitting(loaded, observer, session, *options.simulate, 0)
-                                          : sit(loaded, observer, session, options.seat, options.voice);
+    const auto outcome = options.simulate
+                             ? simulate_sitting(loaded, observer, session, *options.simulate, 0)
+                             : sit(loaded, observer, session, options.seat, options.voice);
     fmt::print("{}: sitting {}, {} votes, {}\n", options.observer, session, outcome.votes,
                outcome.finished ? "finished" : "not finished");
 }
 
-}  // namespace
+} // namespace
 
 void add_session(CLI::App& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand("session", "One sitting of one observer; an unfinished one goes on");
+    auto* command =
+        program.add_subcommand("session", "One sitting of one observer; an unfinished one goes on");
     command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
-    command->add_option("--observer", options->observer, "The observer's pseudonym, never a name")->required();
+    command->add_option("--observer", options->observer, "The observer's pseudonym, never a name")
+        ->required();
     command->add_option("--session", options->session, "Which sitting; without it, the next one")
         ->check(CLI::PositiveNumber);
-    command->add_option("--simulate", options->simulate,
-                        "Vote by a simulated observer, such as \"scores=a:1,b:0;noise=1;seed=7\"; no window");
-    command->add_option("--window", options->window, "A window of this size, such as 1280x720, not the full screen");
-    command->add_option("--monitor", options->seat.monitor, "Which monitor; 1 is the primary one")->check(CLI::PositiveNumber);
+    command->add_option(
+        "--simulate", options->simulate,
+        "Vote by a simulated observer, such as \"scores=a:1,b:0;noise=1;seed=7\"; no window");
+    command->add_option("--window", options->window,
+                        "A window of this size, such as 1280x720, not the full screen");
+    command->add_option("--monitor", options->seat.monitor, "Which monitor; 1 is the primary one")
+        ->check(CLI::PositiveNumber);
     command->add_option("--override-days", options->seat.override_reason,
                         "Sit earlier than the study allows, for this reason; it is recorded");
     add_voice(*command, options->voice);
     command->callback([options] { run(*options); });
 }
 
-}  // namespace experiment::commands
+} // namespace experiment::commands

@@ -2,10 +2,10 @@
 #include "experiment/commands/commands.h"
 #include "experiment/commands/sittings.h"
 
-#include <memory>
-
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+
+#include <memory>
 
 namespace experiment::commands {
 
@@ -16,20 +16,25 @@ void add_simulate(CLI::App& program) {
         std::string specification;
         Voice voice;
     };
+
     const auto options = std::make_shared<Options>();
     auto* command = program.add_subcommand(
-        "simulate", "A whole experiment by simulated observers; their votes are marked as such everywhere");
+        "simulate",
+        "A whole experiment by simulated observers; their votes are marked as such everywhere");
     command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
-    command->add_option("--observers", options->observers, "How many")->check(CLI::Range(1, 999))->required();
-    command->add_option("--observer-spec", options->specification,
-                        "True scores, noise, bias, lapses and seed, such as \"scores=a:1,b:0;noise=1;seed=7\"");
+    command->add_option("--observers", options->observers, "How many")
+        ->check(CLI::Range(1, 999))
+        ->required();
+    command->add_option(
+        "--observer-spec", options->specification,
+        "True scores, noise, bias, lapses and seed, such as \"scores=a:1,b:0;noise=1;seed=7\"");
     add_voice(*command, options->voice);
     command->callback([options] {
         const auto loaded = value_or_stop(read_study(options->study));
         simulate_observers(loaded, options->observers, options->specification, options->voice);
-        fmt::print("{}: {} simulated observers have finished {} sittings each\n", loaded.folder.votes().string(),
-                   options->observers, loaded.study.plan.sessions);
+        fmt::print("{}: {} simulated observers have finished {} sittings each\n",
+                   loaded.folder.votes().string(), options->observers, loaded.study.plan.sessions);
     });
 }
 
-}  // namespace experiment::commands
+} // namespace experiment::commands

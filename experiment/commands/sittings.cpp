@@ -1,4 +1,5 @@
-// People and simulated observers go through the same `conduct`; only their screens and clocks differ.
+// People and simulated observers go through the same `conduct`; only their screens and clocks
+// differ.
 #include "experiment/commands/sittings.h"
 
 #include "experiment/progress.h"
@@ -9,11 +10,11 @@
 #include "experiment/store/sqlite_store.h"
 #include "protocols/schedule.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <set>
-
-#include <fmt/core.h>
 
 namespace experiment::commands {
 
@@ -55,7 +56,7 @@ session::SittingOutcome conducted(const session::SittingRequest& request,
     return value_or_stop(session::conduct(request, *store, screen, clock));
 }
 
-}  // namespace
+} // namespace
 
 session::SittingRequest sitting_request(const LoadedStudy& loaded,
                                         const ObserverId& observer,
@@ -76,8 +77,9 @@ int next_session(const LoadedStudy& loaded, const ObserverId& observer) {
     for (int session = 1; session <= loaded.study.plan.sessions; ++session)
         if (!is_finished(loaded, {observer, session}))
             return session;
-    throw CommandError(fmt::format("{}: observer {} has finished all {} sittings; nothing was changed",
-                                   loaded.folder.votes().string(), observer.value, loaded.study.plan.sessions));
+    throw CommandError(
+        fmt::format("{}: observer {} has finished all {} sittings; nothing was changed",
+                    loaded.folder.votes().string(), observer.value, loaded.study.plan.sessions));
 }
 
 session::SittingOutcome sit(const LoadedStudy& loaded,
@@ -88,7 +90,8 @@ session::SittingOutcome sit(const LoadedStudy& loaded,
     const auto request = sitting_request(loaded, observer, session, {}, options.override_reason);
     for (const auto& planned : request.schedule.trials)
         for (const auto& condition : {planned.trial.left, planned.trial.right})
-            value_or_stop(stimuli::find_picture(loaded, {planned.trial.scene, planned.trial.variant, condition}));
+            value_or_stop(stimuli::find_picture(
+                loaded, {planned.trial.scene, planned.trial.variant, condition}));
     const session::SystemClock clock;
     const auto screen = value_or_stop(session::open_window(
         {.size = options.size,
@@ -97,11 +100,14 @@ session::SittingOutcome sit(const LoadedStudy& loaded,
          .picture_width = loaded.study.width,
          .picture_height = loaded.study.height,
          .gap = loaded.study.plan.gap_px},
-        [&](const protocols::Picture& picture) { return stimuli::picture_for_display(loaded, picture); },
+        [&](const protocols::Picture& picture) {
+            return stimuli::picture_for_display(loaded, picture);
+        },
         clock));
     const auto outcome = conducted(request, loaded, *screen, clock);
     voice.remark(fmt::format("{}: {} votes; {}", observer.value, outcome.votes,
-                             outcome.finished ? "the sitting is finished" : "stopped; run it again to go on"));
+                             outcome.finished ? "the sitting is finished"
+                                              : "stopped; run it again to go on"));
     return outcome;
 }
 
@@ -110,14 +116,20 @@ session::SittingOutcome simulate_sitting(const LoadedStudy& loaded,
                                          int session,
                                          const std::string& specification,
                                          int days_later) {
-    const auto simulated = value_or_stop(session::parse_simulated_observer(specification, loaded.study));
-    const auto request = sitting_request(loaded, observer, session, session::text_of(simulated), {});
-    session::VirtualClock clock(std::chrono::system_clock::now() + std::chrono::hours(24 * days_later));
+    const auto simulated =
+        value_or_stop(session::parse_simulated_observer(specification, loaded.study));
+    const auto request =
+        sitting_request(loaded, observer, session, session::text_of(simulated), {});
+    session::VirtualClock clock(std::chrono::system_clock::now() +
+                                std::chrono::hours(24 * days_later));
     session::SimulatedScreen screen(simulated, loaded.study.id, observer, session, clock);
     return conducted(request, loaded, screen, clock);
 }
 
-void simulate_observers(const LoadedStudy& loaded, int observers, const std::string& specification, const Voice& voice) {
+void simulate_observers(const LoadedStudy& loaded,
+                        int observers,
+                        const std::string& specification,
+                        const Voice& voice) {
     ProgressBar bar("simulating", !voice.quiet);
     for (int i = 0; i < observers; ++i) {
         const ObserverId observer{fmt::format("sim-{:02}", i + 1)};
@@ -129,4 +141,4 @@ void simulate_observers(const LoadedStudy& loaded, int observers, const std::str
     }
 }
 
-}  // namespace experiment::commands
+} // namespace experiment::commands

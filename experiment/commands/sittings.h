@@ -37,7 +37,8 @@ session::SittingOutcome sit(const LoadedStudy& loaded,
                             const SeatOptions& options,
                             const Voice& voice);
 
-/// One sitting of a simulated observer, without a window and in virtual time: `days_later` than today.
+/// One sitting of a simulated observer, without a window and in virtual time: `days_later` than
+/// today.
 session::SittingOutcome simulate_sitting(const LoadedStudy& loaded,
                                          const protocols::ObserverId& observer,
                                          int session,
@@ -45,6 +46,9 @@ session::SittingOutcome simulate_sitting(const LoadedStudy& loaded,
                                          int days_later);
 
 /// All sittings of observers sim-01, sim-02, ...; those that are finished already are passed over.
-void simulate_observers(const LoadedStudy& loaded, int observers, const std::string& specification, const Voice& voice);
+void simulate_observers(const LoadedStudy& loaded,
+                        int observers,
+                        const std::string& specification,
+                        const Voice& voice);
 
-}  // namespace experiment::commands
+} // namespace experiment::commands

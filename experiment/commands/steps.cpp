@@ -1,9 +1,29 @@
 // What a command does in a line or two stays in the command; what two commands do is here.
 #include "experiment/commands/steps.h"
 
+#include "analysis/findings_json.h"
 #include "experiment/progress.h"
+#include "experiment/report/facts.h"
+#include "experiment/report/page.h"
+#include "experiment/session/clock.h"
+#include "experiment/stimuli/thumbnails.h"
+#include "experiment/store/sqlite_store.h"
+#include "experiment/text_files.h"
 
 namespace experiment::commands {
+
+namespace {
+
+std::vector<store::Sitting> all_sittings(const LoadedStudy& loaded) {
+    const auto store = value_or_stop(store::open_votes(loaded.folder.votes()));
+    std::vector<store::Sitting> sittings;
+    for (const auto& summary : value_or_stop(store->sittings()))
+        if (auto sitting = value_or_stop(store->sitting(summary.key)))
+            sittings.push_back(std::move(*sitting));
+    return sittings;
+}
+
+} // namespace
 
 stimuli::RenderSummary render_stimuli(const LoadedStudy& loaded,
                                       const stimuli::RenderOptions& options,
@@ -16,6 +36,31 @@ stimuli::RenderSummary render_stimuli(const LoadedStudy& loaded,
     for (const auto& remark : summary.remarks)
         voice.remark(remark);
     return summary;
+}
+
+analysis::Findings findings_of(const VoteSource& votes) {
+    analysis::AnalysisOptions options;
+    options.source = votes.name;
+    options.source_digest = votes.sha256;
+    options.program = PAIRLIGHT_PROGRAM_VERSION;
+    return analysis::analyze(votes.table, options);
+}
+
+std::filesystem::path write_study_report(const LoadedStudy& loaded, const Voice& voice) {
+    auto findings = findings_of(value_or_stop(read_votes(loaded.folder.root)));
+    value_or_stop(write_text_file(loaded.folder.report() / "findings.json",
+                                  analysis::findings_json(findings)));
+    report::Records records{.study = loaded.study,
+                            .study_sha256 = loaded.sha256,
+                            .instructions = read_instructions(loaded).value_or(""),
+                            .manifest = value_or_stop(stimuli::read_manifest(loaded.folder)),
+                            .sittings = all_sittings(loaded)};
+    auto contents = report::report_contents(records, std::move(findings),
+                                            session::local_date(session::SystemClock().wall()));
+    ProgressBar bar("report", !voice.quiet);
+    contents.thumbnails =
+        value_or_stop(stimuli::thumbnails(loaded, [&](double fraction) { bar.update(fraction); }));
+    return value_or_stop(report::write_report(loaded.folder.report(), contents));
 }
 
 } // namespace experiment::commands

@@ -100,8 +100,7 @@ void add_thickness(CLI::App& program) {
     add_voice(*command, options->voice);
     command->callback([options] {
         const auto directions = value_or_stop(read_directions(options->directions));
-        const auto model =
-            value_or_stop(load_model(options->model, StudyFolder{"."}));
+        const auto model = value_or_stop(load_model(options->model, StudyFolder{"."}));
         for (const auto& remark : model.remarks)
             options->voice.remark(remark);
         const auto values = measured(*options, model.mesh, directions);

@@ -5,9 +5,9 @@
 #include "protocols/vocabulary.h"
 #include "renderer/gpu/pixel_canvas.h"
 
-#include <filesystem>
-
 #include <tl/expected.hpp>
+
+#include <filesystem>
 
 namespace experiment::stimuli {
 
@@ -18,7 +18,7 @@ tl::expected<std::filesystem::path, std::string> find_picture(const LoadedStudy&
 /// Eight bits per channel.  A file of 8 bits is taken code by code; one of 16 bits is rounded with
 /// ordered dither, the same for every picture.
 /// Errors: missing, not a picture, not of the study's size.
-tl::expected<renderer::gpu::Picture8, std::string> picture_for_display(const LoadedStudy& loaded,
-                                                                               const protocols::Picture& picture);
+tl::expected<renderer::gpu::Picture8, std::string>
+picture_for_display(const LoadedStudy& loaded, const protocols::Picture& picture);
 
-}  // namespace experiment::stimuli
+} // namespace experiment::stimuli

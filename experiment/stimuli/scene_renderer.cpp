@@ -215,6 +215,12 @@ Expected<std::map<Picture, PictureRecord>> SceneRenderer::render(const protocols
         return tl::unexpected(fmt::format("scene \"{}\", variant \"{}\": {}", scene_->id.value,
                                           variant.id.value, matches.error()));
 
+    std::error_code failure;
+    fs::create_directories(png_file(folder, drawn->front().picture).parent_path(), failure);
+    if (failure)
+        return tl::unexpected(
+            fmt::format("{}: cannot be written: {}", folder.stimuli().string(), failure.message()));
+
     std::map<Picture, PictureRecord> records;
     for (std::size_t i = 0; i < drawn->size(); ++i) {
         auto& [picture, image, record] = (*drawn)[i];

@@ -1,4 +1,4 @@
-// Stimuli made small enough to be carried in a report.
+// The stimuli in small, for the report's contact sheet.
 #pragma once
 
 #include "experiment/read_study.h"
@@ -6,14 +6,14 @@
 
 #include <tl/expected.hpp>
 
-#include <string>
+#include <functional>
 #include <vector>
 
 namespace experiment::stimuli {
 
-/// Every picture of the study, by scene, variant and condition, its longer edge at most
-/// `greatest_edge` pixels.  Errors: those of reading a picture.
-tl::expected<std::vector<report::Thumbnail>, std::string> thumbnails(const LoadedStudy& loaded,
-                                                                     int greatest_edge = 320);
+/// Every picture of the study that is there, at most 160 pixels along its longer edge: shrunk by a
+/// whole factor, box-filtered in linear light.
+tl::expected<std::vector<report::Thumbnail>, std::string>
+thumbnails(const LoadedStudy& loaded, const std::function<void(double)>& progress);
 
 } // namespace experiment::stimuli

@@ -5,7 +5,8 @@ namespace {
 using namespace experiment;
 
 TEST(CsvRow, QuotesOnlyWhatHasToBe) {
-    EXPECT_EQ(csv_row({"plain", "a,b", "he said \"no\""}), "plain,\"a,b\",\"he said \"\"no\"\"\"\n");
+    EXPECT_EQ(csv_row({"plain", "a,b", "he said \"no\""}),
+              "plain,\"a,b\",\"he said \"\"no\"\"\"\n");
 }
 
 TEST(ScheduleTable, HasTheFormScriptsRelyOn) {
