@@ -211,15 +211,17 @@ class Window final : public Screen {
         const auto surround = canvas_.read(0, 0, canvas_.width(), canvas_.height());
         surround_exact_ = std::ranges::all_of(
             surround.rgb, [&](std::uint8_t code) { return code == options_.surround; });
-        renderer::gpu::Picture8 codes{16, 16, {}}; // every code value in every channel
-        for (int code = 0; code < 256; ++code)
-            for (const int value : {code, 255 - code, code ^ 0x55})
-                codes.rgb.push_back(static_cast<std::uint8_t>(value));
+        renderer::gpu::Picture8 codes{layout_.width, layout_.height, {}};
+        for (int pixel = 0; pixel < codes.width * codes.height; ++pixel)
+            for (const int value : {pixel, 255 - pixel, pixel ^ 0x55})
+                codes.rgb.push_back(static_cast<std::uint8_t>(value & 0xff));
         const renderer::gpu::UploadedPicture uploaded(codes);
-        if (canvas_.width() < codes.width || canvas_.height() < codes.height)
-            return;
-        canvas_.draw(uploaded, 0, 0);
-        picture_exact_ = canvas_.read(0, 0, codes.width, codes.height) == codes;
+        picture_exact_ = true;
+        for (const int left : {layout_.left_x, layout_.right_x}) {
+            canvas_.draw(uploaded, left, layout_.top);
+            picture_exact_ = picture_exact_ &&
+                             canvas_.read(left, layout_.top, codes.width, codes.height) == codes;
+        }
     }
 
     static Window& self(GLFWwindow* window) {
