@@ -1,5 +1,6 @@
 #include "analysis/findings.h"
 
+#include "analysis/anova/checks.h"
 #include "analysis/anova/letters.h"
 #include "analysis/findings_notes.h"
 #include "analysis/numerics/distributions.h"
@@ -65,7 +66,11 @@ OneWayFindings one_way_findings(const ScoreCells& cells,
                                 double level) {
     OneWayFindings found;
     found.unit = unit;
-    found.anova = anova::one_way_of_counts(by_condition(cells), cells.divisor);
+    const auto groups = by_condition(cells);
+    found.anova = anova::one_way_of_counts(groups, cells.divisor);
+    found.levene = anova::levene(groups);
+    found.brown_forsythe = anova::brown_forsythe(groups);
+    found.welch = anova::welch(found.anova);
     found.tukey = anova::tukey(found.anova.mean, found.anova.n, found.anova.within, level);
     found.pooled_t = anova::pooled_t(found.anova, level);
     found.games_howell = anova::games_howell(found.anova, level);
@@ -110,6 +115,42 @@ Scope with_factors(const VoteTable& table, bool session, std::size_t factors) {
     return scope;
 }
 
+NamedWithin
+transformed(const ScoreCells& means, const std::string& name, double (*by)(double, double)) {
+    const auto t = means.factors.back().levels;
+    // m comparisons of each pair: every condition has m (t - 1), which is divisor (t - 1) / 2
+    const double most = static_cast<double>(means.divisor) / 2 * static_cast<double>(t - 1);
+    std::vector<double> values;
+    for (const auto half : means.half_votes)
+        values.push_back(by(static_cast<double>(half) / 2, most));
+    return {name, anova::within_observers(means.observers.size(), means.factors, values)};
+}
+
+double arcsine(double votes, double most) {
+    return std::asin(std::sqrt(votes / most));
+}
+
+double empirical_logit(double votes, double most) {
+    return std::log((votes + 0.5) / (most - votes + 0.5));
+}
+
+// Nothing unless the options give every observer a group and there are at least two.
+std::optional<anova::MixedAnalysis>
+mixed_analysis(const VoteTable& table, const AnalysisOptions& options, const ScoreCells& means) {
+    Dictionary names;
+    std::vector<int> groups;
+    for (const auto observer : means.observers) {
+        const auto found = options.groups.find(table.observers.name(observer));
+        if (found == options.groups.end())
+            return std::nullopt;
+        groups.push_back(static_cast<int>(names.code(found->second)));
+    }
+    if (names.size() < 2 || groups.size() <= names.size())
+        return std::nullopt;
+    return anova::mixed_of_counts(means.half_votes, groups, means.factors.back().levels,
+                                  means.divisor);
+}
+
 void default_analysis(Findings& findings, const ScoreCells& means) {
     const double level = findings.options.level;
     const auto ranked = ranking(findings.scores);
@@ -121,6 +162,12 @@ void default_analysis(Findings& findings, const ScoreCells& means) {
     findings.paired_t =
         anova::paired_t(means.half_votes, means.factors.back().levels, means.divisor, level);
     findings.one_way_observers = one_way_findings(means, "observer mean", ranked, level);
+    findings.transformed = {transformed(means, "rm_method_arcsine_sqrt_share", arcsine),
+                            transformed(means, "rm_method_logit_plus_half", empirical_logit)};
+    findings.permutation = anova::permute_labels(means.half_votes, means.factors.back().levels,
+                                                 findings.options.permutation_seed);
+    findings.friedman = consistency::friedman(means.half_votes, means.factors.back().levels);
+    findings.nemenyi = consistency::nemenyi(*findings.friedman, level);
 }
 
 void factorial_analyses(Findings& findings,
@@ -152,6 +199,7 @@ void analyses_of_variance(Findings& findings, const VoteTable& table) {
     const auto means = score_cells(table, observers, {});
     EXPECTS(means.has_value()); // complete observers are complete when everything else is pooled
     default_analysis(findings, *means);
+    findings.mixed = mixed_analysis(table, findings.options, *means);
     factorial_analyses(findings, table, observers);
 }
 
@@ -194,6 +242,7 @@ Findings analyze(const VoteTable& table, const AnalysisOptions& options) {
     findings.scores = paper_scores(table);
     analyses_of_variance(findings, table);
     rank_conditions(findings);
+    findings.consistency = consistency::summarize(table);
     append_notes(findings, table);
     return findings;
 }

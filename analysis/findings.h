@@ -3,12 +3,16 @@
 #pragma once
 
 #include "analysis/anova/comparisons.h"
+#include "analysis/anova/mixed.h"
 #include "analysis/anova/one_way.h"
+#include "analysis/anova/permutation.h"
 #include "analysis/anova/within_observers.h"
+#include "analysis/consistency/consistency.h"
 #include "analysis/paper_score.h"
 #include "analysis/vote_matrix.h"
 #include "analysis/vote_table.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +24,9 @@ struct AnalysisOptions {
     std::string source;        ///< where the votes came from, as a person would say it
     std::string source_digest; ///< hash of that source, "" when unknown
     std::string program;       ///< name and version
+    std::uint64_t permutation_seed = 20120924; ///< for designs too large to enumerate
+    std::string group_name;                    ///< of `groups`, e.g. "sex"; "" for none
+    std::map<std::string, std::string> groups; ///< observer to group, for every observer
 };
 
 /// What was asked, of whom, and what is missing.
@@ -61,6 +68,9 @@ struct OneWayFindings {
     std::vector<anova::TPair> pooled_t;
     std::vector<anova::RangePair> games_howell;
     std::vector<std::string> letters; ///< by condition; empty when too many are needed
+    anova::FTest levene;
+    anova::FTest brown_forsythe;
+    anova::FTest welch;
 };
 
 /// A row of the method x factor table with one pooled residual.
@@ -111,6 +121,15 @@ struct Findings {
     std::optional<OneWayFindings> one_way_observers; ///< as in the paper
     std::optional<OneWayFindings> one_way_rounds;    ///< as in the paper, pseudo-replicated
     std::optional<TwoWayFixed> two_way;              ///< method x first scene factor
+
+    anova::Permutation permutation; ///< labels within observers: no assumption about votes
+
+    /// The default analysis on transformed shares: votes near 0 and t - 1 vary less.
+    std::vector<NamedWithin> transformed;
+    std::optional<anova::MixedAnalysis> mixed;     ///< when the options name groups
+    std::optional<consistency::RankTest> friedman; ///< observer means, no normality assumed
+    consistency::Nemenyi nemenyi;
+    consistency::Consistency consistency;
 
     std::vector<Note> notes;
 

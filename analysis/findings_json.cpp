@@ -1,5 +1,7 @@
 #include "analysis/findings_json.h"
 
+#include "analysis/consistency/consistency_json.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -173,10 +175,22 @@ std::string level_suffix(double level) {
     return digits;
 }
 
+Json check(const anova::FTest& test) {
+    Json row{{"F", number(test.f)},
+             {"df1", number(test.df1)},
+             {"df2", number(test.df2)},
+             {"p", number(test.p)}};
+    put_reason(row, test.reason);
+    return row;
+}
+
 Json one_way_findings(const OneWayFindings& found, const Names& names, double level) {
     const auto suffix = level_suffix(level);
     return {{"unit", found.unit},
             {"anova", one_way(found.anova)},
+            {"levene_mean", check(found.levene)},
+            {"brown_forsythe", check(found.brown_forsythe)},
+            {"welch", check(found.welch)},
             {"tukey_kramer", range_test(found.tukey, names)},
             {"letters_tukey_" + suffix, letters(found.letters, names)},
             {"pooled_t", t_pairs(found.pooled_t, names)},
@@ -241,6 +255,63 @@ Json within(const anova::WithinAnalysis& analysis) {
     return rows;
 }
 
+Json transformed(const anova::WithinAnalysis& analysis) {
+    const auto& effect = analysis.effects[0];
+    Json row{{"SS", number(effect.effect.ss)},
+             {"df", number(effect.effect.df)},
+             {"SS_error", number(effect.error.ss)},
+             {"df_error", number(effect.error.df)},
+             {"SS_observer", number(analysis.subject.ss)}};
+    put_test(row, effect.test);
+    return row;
+}
+
+Json mixed_row(const anova::Variation& part, const anova::FTest& test) {
+    Json row{{"SS", number(part.ss)}, {"df", number(part.df)}};
+    put_test(row, test);
+    return row;
+}
+
+Json mixed(const anova::MixedAnalysis& table) {
+    auto group = mixed_row(table.group, table.group_test);
+    group["SS_error"] = number(table.group_error.ss);
+    group["df_error"] = number(table.group_error.df);
+    Json sphericity = Json::object();
+    put_sphericity(sphericity, table.sphericity);
+    return {{"group", group},
+            {"method_type3", mixed_row(table.method_unweighted, table.method_unweighted_test)},
+            {"method_type2_or_1", mixed_row(table.method_weighted, table.method_weighted_test)},
+            {"group_x_method", mixed_row(table.group_x_method, table.group_x_method_test)},
+            {"within_error", variation(table.within_error)},
+            {"sphericity", sphericity}};
+}
+
+Json friedman(const consistency::RankTest& test) {
+    Json row{{"b", test.blocks},
+             {"k", test.conditions},
+             {"rank_sums", test.rank_sums},
+             {"chi2", number(test.chi_squared)},
+             {"df", number(test.df)},
+             {"p", number(test.p)},
+             {"kendall_W", number(test.kendall_w)},
+             {"iman_davenport_F", number(test.f)},
+             {"p_F", number(test.p_f)}};
+    put_reason(row, test.reason);
+    return row;
+}
+
+Json nemenyi(const consistency::Nemenyi& test, const Names& names, double level) {
+    Json pairs = Json::array();
+    for (const auto& pair : test.pairs)
+        pairs.push_back({{"a", names[pair.first]},
+                         {"b", names[pair.second]},
+                         {"mean_rank_diff", number(pair.mean_rank_difference)},
+                         {"q", number(pair.q)},
+                         {"p", number(pair.p)}});
+    return {{"critical_difference_" + level_suffix(level), number(test.critical_difference)},
+            {"pairs", pairs}};
+}
+
 Json anovas(const Findings& findings) {
     const auto& names = findings.design.conditions;
     const double level = findings.options.level;
@@ -263,6 +334,17 @@ Json anovas(const Findings& findings) {
     tables["rm_method_tukey"] = range_test(findings.within_tukey, names);
     tables["rm_method_letters_" + level_suffix(level)] = letters(findings.within_letters, names);
     tables["paired_t"] = t_pairs(findings.paired_t, names);
+    const auto& permutation = findings.permutation;
+    tables["permutation_of_labels"] = {{"statistic", "rm_method F"},
+                                       {"seed", findings.options.permutation_seed},
+                                       {"arrangements", permutation.arrangements},
+                                       {"as_large", permutation.as_large},
+                                       {"complete", permutation.complete},
+                                       {"p", permutation.p}};
+    for (const auto& named : findings.transformed)
+        tables[named.name] = transformed(named.analysis);
+    if (findings.mixed)
+        tables["mixed_" + findings.options.group_name + "_method"] = mixed(*findings.mixed);
     return tables;
 }
 
@@ -302,16 +384,23 @@ std::string findings_json(const Findings& findings) {
     Json notes = Json::array();
     for (const auto& note : findings.notes)
         notes.push_back({{"about", note.about}, {"text", note.text}});
-    const Json document{{"schema", "pairlight-findings-1"},
-                        {"program", findings.options.program},
-                        {"source", findings.options.source},
-                        {"source_digest", findings.options.source_digest},
-                        {"design", design(findings.design)},
-                        {"paper_score", paper_score(findings)},
-                        {"ranking", ranking(findings)},
-                        {"anova", anovas(findings)},
-                        {"notes", notes},
-                        {"vote_matrices", matrices(findings)}};
+    Json document{{"schema", "pairlight-findings-1"},
+                  {"program", findings.options.program},
+                  {"source", findings.options.source},
+                  {"source_digest", findings.options.source_digest},
+                  {"design", design(findings.design)},
+                  {"paper_score", paper_score(findings)},
+                  {"ranking", ranking(findings)},
+                  {"anova", anovas(findings)},
+                  {"notes", notes}};
+    const auto& names = findings.design.conditions;
+    if (findings.friedman) {
+        document["friedman_observer_means"] = friedman(*findings.friedman);
+        document["nemenyi"] = nemenyi(findings.nemenyi, names, findings.options.level);
+    }
+    document["paired_comparison"] = Json::parse(
+        consistency::consistency_json(findings.consistency, names, findings.design.factor_names));
+    document["vote_matrices"] = matrices(findings);
     return document.dump(1) + "\n";
 }
 

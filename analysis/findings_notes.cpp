@@ -54,6 +54,12 @@ void within_notes(Findings& findings) {
                         "correction is the one to quote (rule: below 0.75 Greenhouse-Geisser, "
                         "else Huynh-Feldt).",
                         e, e < 0.75 ? "Greenhouse-Geisser" : "Huynh-Feldt"));
+    say("within",
+        fmt::format("Without any assumption: labels permuted within observers, {} arrangements "
+                    "({}), p = {:.3g}; Friedman on observer means, p = {:.3g}.",
+                    findings.permutation.arrangements,
+                    findings.permutation.complete ? "all" : "drawn", findings.permutation.p,
+                    findings.friedman->p));
     say("pairs",
         fmt::format("Pairs: Tukey's test with the method x observer mean square, simultaneous "
                     "level {}. Conditions that share a letter do not differ significantly, which "

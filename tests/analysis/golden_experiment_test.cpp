@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -72,23 +73,42 @@ void leave_out(json& expected, const std::vector<std::string>& pointers) {
     }
 }
 
+// Scopes come in another order here and there; they are the same ones.
+void sort_by_scope(json& rows) {
+    const auto text = [](const json& value) {
+        return value.is_number() ? value.dump() : value.get<std::string>();
+    };
+    for (auto& row : rows)
+        if (row.contains("session"))
+            row["session"] = text(row["session"]);
+    std::sort(rows.begin(), rows.end(), [](const json& a, const json& b) {
+        const auto key = [](const json& row) {
+            return row.value("session", "") + "/" + row.value("model", "") + "/" +
+                   row.value("light", "");
+        };
+        return key(a) < key(b);
+    });
+}
+
 TEST(GoldenExperiment, EveryComputedLeafAgreesTo12Digits) {
     auto expected = json::parse(golden_text("experiment/expected.json"));
-    leave_out(expected,
-              {"/anova/oneway_rounds_pseudoreplicated/levene_mean",
-               "/anova/oneway_rounds_pseudoreplicated/brown_forsythe",
-               "/anova/oneway_rounds_pseudoreplicated/welch",
-               "/anova/oneway_observer_means/levene_mean",
-               "/anova/oneway_observer_means/brown_forsythe", "/anova/oneway_observer_means/welch",
-               "/anova/rm_method_arcsine_sqrt_share", "/anova/rm_method_logit_plus_half",
-               "/anova/mixed_sex_method", "/friedman_observer_means", "/nemenyi",
-               "/paired_comparison", "/choice_models"});
-    const auto found = json::parse(analysis::findings_json(analysis::analyze(golden_votes())));
+    leave_out(expected, {"/anova/mixed_sex_method/note", "/choice_models"});
+    analysis::AnalysisOptions options;
+    options.group_name = "sex";
+    for (int o = 1; o <= 10; ++o)
+        options.groups[o < 10 ? "O0" + std::to_string(o) : "O10"] = o <= 4 ? "M" : "F";
+    auto found = json::parse(analysis::findings_json(analysis::analyze(golden_votes(), options)));
+    for (const auto* list :
+         {"agreement_u_per_scene_session", "agreement_u_per_scene_sessions_as_judges",
+          "agreement_u_per_session_scenes_as_judges"}) {
+        sort_by_scope(expected["paired_comparison"][list]);
+        sort_by_scope(found["paired_comparison"][list]);
+    }
     Comparison comparison;
     comparison.tree(expected, found, "");
     for (const auto& wrong : comparison.wrong)
         ADD_FAILURE() << wrong;
-    EXPECT_GT(comparison.compared, 700u);
+    EXPECT_GT(comparison.compared, 1500u);
     RecordProperty("leaves", static_cast<int>(comparison.compared));
     std::printf("%zu leaves, worst relative error %.2g at %s\n", comparison.compared,
                 comparison.worst, comparison.worst_at.c_str());

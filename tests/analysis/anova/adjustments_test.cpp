@@ -1,5 +1,4 @@
 #include "analysis/anova/adjustments.h"
-
 #include "tests/analysis/numerics/golden_json.h"
 
 #include <cmath>
@@ -12,7 +11,8 @@ using namespace analysis::anova;
 std::vector<double> numbers(const json& list) {
     std::vector<double> values;
     for (const auto& item : list)
-        values.push_back(item.is_string() ? std::stod(item.get<std::string>()) : item.get<double>());
+        values.push_back(item.is_string() ? std::stod(item.get<std::string>())
+                                          : item.get<double>());
     return values;
 }
 

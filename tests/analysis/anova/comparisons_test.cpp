@@ -1,5 +1,4 @@
 #include "analysis/anova/comparisons.h"
-
 #include "tests/analysis/golden.h"
 
 #include <nlohmann/json.hpp>
@@ -23,7 +22,8 @@ std::vector<std::vector<double>> unequal_groups() {
 }
 
 void expect_near(const json& expected, double found, double tolerance) {
-    EXPECT_LE(std::abs(found - expected.get<double>()), tolerance * std::abs(expected.get<double>()))
+    EXPECT_LE(std::abs(found - expected.get<double>()),
+              tolerance * std::abs(expected.get<double>()))
         << expected.dump() << " " << found;
 }
 

@@ -1,9 +1,7 @@
 #include "analysis/anova/letters.h"
-
 #include "tests/analysis/golden.h"
 
 #include <nlohmann/json.hpp>
-
 #include <rapidcheck/gtest.h>
 
 #include <numeric>
@@ -11,8 +9,8 @@
 
 namespace {
 
-using nlohmann::json;
 using analysis::anova::compact_letters;
+using nlohmann::json;
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
 std::vector<std::size_t> in_order(std::size_t items) {

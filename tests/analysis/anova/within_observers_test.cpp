@@ -1,5 +1,4 @@
 #include "analysis/anova/within_observers.h"
-
 #include "tests/analysis/numerics/golden_json.h"
 
 #include <cmath>
