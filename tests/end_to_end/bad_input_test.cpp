@@ -1,0 +1,174 @@
+// What goes wrong says so in one line, with a status that is not 0, and changes nothing that was
+// recorded.
+#include "tests/end_to_end/program.h"
+#include "tests/end_to_end/small_study.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace tests;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// A rendered study of one model.
+std::string rendered_study(const std::string& model) {
+    return R"([study]
+id       = "rendered"
+title    = "One model"
+question = "Which picture looks more realistic?"
+seed     = 1
+width    = 64
+height   = 64
+[[scene]]
+id       = "body"
+model    = ")" +
+           model + R"("
+material = "marble"
+[[condition]]
+id     = "phong"
+method = "phong"
+[[condition]]
+id     = "green"
+method = "green"
+depth_map = 256
+)";
+}
+
+class BadInput : public testing::Test {
+  protected:
+    TemporaryFolder folder;
+
+    void study_with(const std::string& text) {
+        write_file(folder / "study.toml", text);
+        write_file(folder / "instructions.md", "Choose.\n");
+    }
+
+    std::string path() const { return folder.path().string(); }
+};
+
+TEST_F(BadInput, NamesAModelThatIsNotThereAndWhereItWasLookedFor) {
+    study_with(rendered_study("no-such-model"));
+    const auto outcome = pairlight({"render", path()});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("study.toml:"), HasSubstr("no-such-model"),
+                                   HasSubstr("fetch-models")));
+    EXPECT_FALSE(fs::exists(folder / "stimuli"));
+}
+
+TEST_F(BadInput, RefusesAMeshThatIsNotClosed) {
+    write_file(folder / "open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    study_with(rendered_study("./open.off"));
+    const auto outcome = pairlight({"render", path()});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("open.off"), HasSubstr("3 boundary edges")));
+    EXPECT_FALSE(fs::exists(folder / "stimuli" / "manifest.json"));
+}
+
+TEST_F(BadInput, NamesAnUnknownKeyOfTheStudyByItsLine) {
+    study_with(rendered_study("sphere") + "[display]\nsurrounding = \"code:128\"\n");
+    const auto outcome = pairlight({"check", path()});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("study.toml:19: "), HasSubstr("surrounding"),
+                                   HasSubstr("surround")));
+}
+
+TEST_F(BadInput, RefusesAnObserverWithAFinishedSessionAndChangesNothing) {
+    write_small_study(folder.path());
+    ASSERT_EQ(pairlight({"session", path(), "--observer", "P1", "--simulate", ""}).status, 0);
+    const auto store = read_file(folder / "votes.sqlite");
+    for (const auto* number : {"", "1"}) {
+        std::vector<std::string> words{"session", path(), "--observer", "P1", "--simulate", ""};
+        if (*number != '\0')
+            words.insert(words.end(), {"--session", number});
+        const auto outcome = pairlight(words);
+        EXPECT_EQ(outcome.status, 1);
+        EXPECT_THAT(outcome.err, AllOf(HasSubstr("P1"), HasSubstr("finished")));
+    }
+    EXPECT_EQ(read_file(folder / "votes.sqlite"), store);
+}
+
+TEST_F(BadInput, SaysThatAFolderCannotBeWrittenAndLosesNothing) {
+    write_small_study(folder.path());
+    ASSERT_EQ(pairlight({"session", path(), "--observer", "P1", "--simulate", ""}).status, 0);
+    const auto store = read_file(folder / "votes.sqlite");
+    fs::permissions(folder / "votes.sqlite", fs::perms::owner_read | fs::perms::others_read);
+    fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec |
+                                       fs::perms::others_read | fs::perms::others_exec);
+    // Root may write anywhere, so the program runs as somebody else where the test is root.
+    std::vector<std::string> words{PAIRLIGHT_PROGRAM, "session", path(), "--observer", "P2",
+                                   "--simulate",      ""};
+    if (geteuid() == 0)
+        words.insert(words.begin(),
+                     {"setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"});
+    const auto outcome = run(words);
+    fs::permissions(folder.path(), fs::perms::owner_all);
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("votes.sqlite"));
+    EXPECT_EQ(read_file(folder / "votes.sqlite"), store);
+}
+
+TEST_F(BadInput, SaysWhatIsMissingWhereThereIsNoOpenGl) {
+    study_with(rendered_study("sphere"));
+    setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent.json", 1);
+    const auto outcome = pairlight({"render", path()});
+    unsetenv("__EGL_VENDOR_LIBRARY_FILENAMES");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("EGL"));
+    EXPECT_FALSE(fs::exists(folder / "stimuli"));
+}
+
+TEST_F(BadInput, SaysThatASittingNeedsADisplayAndHowToDoWithout) {
+    write_small_study(folder.path());
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+    const auto outcome = pairlight({"session", path(), "--observer", "P1"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("DISPLAY"), HasSubstr("--simulate")));
+    EXPECT_FALSE(fs::exists(folder / "votes.sqlite"));
+}
+
+TEST_F(BadInput, NamesAnOwnImageThatIsMissingOrOfAnotherSize) {
+    write_small_study(folder.path());
+    fs::remove(folder.path() / "stimuli" / "garden" / "first.png");
+    EXPECT_THAT(pairlight({"check", path()}).err,
+                AllOf(HasSubstr("garden/first.png"), HasSubstr("missing")));
+    ASSERT_EQ(
+        run({"convert", "-size", "10x10", "xc:gray", path() + "/stimuli/garden/first.png"}).status,
+        0);
+    EXPECT_THAT(pairlight({"check", path()}).err,
+                AllOf(HasSubstr("garden/first.png"), HasSubstr("10x10")));
+}
+
+TEST_F(BadInput, NamesTheLineOfAVoteTableThatIsWrong) {
+    write_file(
+        folder / "votes.csv",
+        "observer,session,trial,scene,left,right,chosen\nP1,1,1,a,x,y,left\nP1,1,2,a,x,x,left\n");
+    const auto outcome = pairlight({"analyze", (folder / "votes.csv").string()});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("votes.csv:3: "));
+}
+
+TEST_F(BadInput, SaysThatAStudyHasNoVotesYet) {
+    write_small_study(folder.path());
+    for (const auto* command : {"analyze", "report"}) {
+        const auto outcome = pairlight({command, path()});
+        EXPECT_EQ(outcome.status, 1) << command;
+        EXPECT_THAT(outcome.err, HasSubstr("no votes yet")) << command;
+    }
+}
+
+TEST_F(BadInput, DoesNotWriteAStudyOverAnother) {
+    write_small_study(folder.path());
+    const auto study = read_file(folder / "study.toml");
+    const auto outcome = pairlight({"init", path()});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("there is a study already"));
+    EXPECT_EQ(read_file(folder / "study.toml"), study);
+}
+
+} // namespace
