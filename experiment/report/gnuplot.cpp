@@ -101,11 +101,12 @@ tl::expected<std::string, std::string> run_gnuplot(std::string_view script,
     return everything_in(output.get());
 }
 
+// gnuplot 5.4 misreads a doubled quote at the beginning of a string, so none is ever written.
 std::string gnuplot_string(std::string_view text) {
     std::string quoted = "'";
     for (const char character : text)
         if (character == '\'')
-            quoted += "''";
+            quoted += "\u2019";
         else
             quoted += static_cast<unsigned char>(character) < 0x20 ? ' ' : character;
     return quoted + "'";

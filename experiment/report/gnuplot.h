@@ -14,8 +14,8 @@ namespace experiment::report {
 tl::expected<std::string, std::string> run_gnuplot(std::string_view script,
                                                    const std::string& program = "gnuplot");
 
-/// `text` as a string of gnuplot's own, in which nothing is executed or interpreted; control
-/// characters become spaces.
+/// `text` as a string of gnuplot's own, in which nothing is executed or interpreted: apostrophes
+/// become typographic ones, control characters spaces.
 std::string gnuplot_string(std::string_view text);
 
 } // namespace experiment::report

@@ -55,7 +55,7 @@ TEST(Gnuplot, StringsAreOnlyStrings) {
         EXPECT_TRUE(svg.has_value()) << label << ": " << svg.error();
         EXPECT_FALSE(std::filesystem::exists(trace)) << label;
     }
-    EXPECT_EQ(gnuplot_string("it's\nso"), "'it''s so'");
+    EXPECT_EQ(gnuplot_string("it's\nso"), "'it\u2019s so'");
 }
 
 } // namespace
