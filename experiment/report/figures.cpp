@@ -3,8 +3,10 @@
 
 #include "experiment/report/gnuplot.h"
 #include "experiment/report/numbers.h"
+#include "experiment/report/plain_words.h"
 #include "experiment/report/shares.h"
 #include "experiment/report/simulated.h"
+#include "experiment/report/tables.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +21,8 @@ constexpr const char* ink = "#22262b";
 constexpr int bar_width = 720;
 constexpr const char* bar_blue = "#7fa8c9";
 
-// Sizes in points (1/72 inch), which SVG viewers show as pixels.
+// Sizes in points (1/72 inch), which SVG viewers show as pixels.  pdfcairo's letters come out a
+// third larger than SVG's at the same size: 0.75 makes both figures alike.
 std::string terminal(FigureForm form, int width, int height) {
     const std::string common =
         form == FigureForm::Svg
@@ -27,7 +30,7 @@ std::string terminal(FigureForm form, int width, int height) {
                           "background '#ffffff'\n",
                           width, height)
             : fmt::format("set terminal pdfcairo size {:.4f}in,{:.4f}in noenhanced font "
-                          "'sans-serif,12'\n",
+                          "'sans-serif,14' fontscale 0.75\n",
                           width / 72.0, height / 72.0);
     return "set encoding utf8\n" + common +
            fmt::format("set border lc rgb '{0}'\nset key off\nset tics nomirror textcolor rgb "
@@ -35,13 +38,19 @@ std::string terminal(FigureForm form, int width, int height) {
                        ink);
 }
 
-std::string names_at(const std::string& axis, const ReportContents& contents) {
+// Conditions down the side, each with its place where columns are known by it.
+std::string name_tics(const ReportContents& contents, MatrixHeads heads) {
     std::string tics;
     const auto& ranking = contents.findings.ranking;
-    for (std::size_t i = 0; i < ranking.size(); ++i)
+    for (std::size_t i = 0; i < ranking.size(); ++i) {
+        const auto label = condition_label(contents, ranking[i].condition);
         tics += fmt::format("{}{} {}", i == 0 ? "" : ", ",
-                            gnuplot_string(condition_label(contents, ranking[i].condition)), i + 1);
-    return fmt::format("set {}tics ({})\n", axis, tics);
+                            gnuplot_string(heads == MatrixHeads::Names
+                                               ? label
+                                               : fmt::format("{}  {}", i + 1, label)),
+                            i + 1);
+    }
+    return fmt::format("set ytics ({})\n", tics);
 }
 
 std::size_t characters(const std::string& text) {
@@ -55,11 +64,11 @@ double name_margin(const ReportContents& contents, int width) {
     std::size_t longest = 0;
     for (const auto& place : contents.findings.ranking)
         longest = std::max(longest, characters(condition_label(contents, place.condition)));
-    return std::min(0.5, (0.56 * 14 * static_cast<double>(longest) + 24) / width);
+    return std::min(0.5, (0.56 * 14 * static_cast<double>(longest + 3) + 12) / width);
 }
 
 int matrix_width(const ReportContents& contents) {
-    return 480 + 90 * static_cast<int>(contents.findings.ranking.size());
+    return 400 + 90 * static_cast<int>(contents.findings.ranking.size());
 }
 
 std::string number_or_nan(double value) {
@@ -123,7 +132,7 @@ std::string mean_votes_script(const ReportContents& contents, FigureForm form) {
     script += fmt::format("set xlabel 'votes per round (0 to {}); the dashed line is chance'\n",
                           greatest);
     script += fmt::format("set xrange [0:{}]\nset yrange [{}.5:0.5]\n", greatest, ranking.size());
-    script += names_at("y", contents);
+    script += name_tics(contents, MatrixHeads::Names);
     script += fmt::format("set lmargin at screen {:.3f}\nset rmargin at screen 0.745\n",
                           name_margin(contents, bar_width));
     script += "set border 3\nset xtics out\nset ytics scale 0\nset style fill solid 1.0 noborder\n"
@@ -156,12 +165,10 @@ std::string vote_matrix_script(const ReportContents& contents, FigureForm form) 
                           share_colour(0), share_colour(0.5), share_colour(1));
     script += fmt::format("set cblabel 'share of the row' textcolor rgb '{}'\n", ink);
     script += fmt::format("set xrange [0.5:{0}.5]\nset yrange [{0}.5:0.5]\n", count);
-    script += names_at("x", contents) + names_at("y", contents);
-    script += "set border 0\nset tics scale 0\nset xtics offset 0,-0.3\n";
+    script += name_tics(contents, MatrixHeads::Places);
+    script += "set border 0\nset tics scale 0\nset xtics 1,1 offset 0,0.3\n";
     script += fmt::format("set lmargin at screen {:.3f}\nset rmargin at screen 0.86\n",
                           name_margin(contents, matrix_width(contents)));
-    if (count > 5)
-        script += "set xtics rotate by -35\n";
     std::string data = "$cells << END\n";
     for (int row = 0; row < count; ++row)
         for (int column = 0; column < count; ++column) {
@@ -186,9 +193,8 @@ tl::expected<std::vector<Figure>, std::string> draw_figures(const ReportContents
         {"mean-votes",
          "Mean votes per round, best first" +
              (intervals.empty() ? std::string(".")
-                                : "; whiskers are " + intervals +
-                                      ", each condition by itself. Conditions that share a letter "
-                                      "do not differ."),
+                                : "; whiskers are " + intervals + ", each condition by itself.") +
+             letters_in_words(contents),
          bars_in_words(contents), "", ""},
         {"vote-matrix",
          "Votes for the row over the column; blue: the row was chosen more often than not.",

@@ -122,7 +122,8 @@ void add_result(Body& body, const ReportContents& contents, const std::vector<Fi
     if (bars != figures.end())
         body.figure(*bars);
     body.table("The ranking. A share is the mean over observers of the comparisons each let the "
-               "condition win; conditions that share a letter do not differ.",
+               "condition win." +
+                   letters_in_words(contents),
                ranking_table(contents));
     body.notes("scores");
 }

@@ -134,6 +134,16 @@ std::string listed(const std::vector<std::string>& items) {
     return text;
 }
 
+std::string letters_in_words(const ReportContents& contents) {
+    const auto& findings = contents.findings;
+    if (std::ranges::all_of(findings.ranking,
+                            [](const auto& place) { return place.letters.empty(); }))
+        return "";
+    return fmt::format(" Conditions that share a letter are not told apart by Tukey's test at the "
+                       "{} level.",
+                       percent(findings.within_tukey.level));
+}
+
 std::vector<std::string> result_in_words(const ReportContents& contents) {
     const auto& findings = contents.findings;
     std::vector<std::string> paragraphs{order_in_words(contents), effect_in_words(contents)};

@@ -28,6 +28,9 @@ TEST(Figures, ShowMeansIntervalsAndCounts) {
     EXPECT_THAT((*figures)[0].svg, HasSubstr("2.17  [1.98, 2.36]  a"));
     EXPECT_THAT((*figures)[0].svg, HasSubstr("95\u00a0% t intervals over 10 observers"));
     EXPECT_THAT((*figures)[0].caption, HasSubstr("95\u00a0% t intervals over 10 observers"));
+    EXPECT_THAT(
+        (*figures)[0].caption,
+        HasSubstr("share a letter are not told apart by Tukey's test at the 5\u00a0% level"));
     const auto contents = shared_experiment();
     const auto& all = contents.findings.matrices.front();
     ASSERT_EQ(all.scope, "all");
