@@ -11,8 +11,7 @@
 
 namespace experiment::stimuli {
 
-/// Every picture of the study that is there, at most 160 pixels along its longer edge: shrunk by a
-/// whole factor, box-filtered in linear light.
+/// Every picture of the study that is there, at most 160 pixels along its longer edge.
 tl::expected<std::vector<report::Thumbnail>, std::string>
 thumbnails(const LoadedStudy& loaded, const std::function<void(double)>& progress);
 

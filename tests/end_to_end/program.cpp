@@ -4,7 +4,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -44,9 +43,10 @@ Outcome run(const std::vector<std::string>& command) {
             read_file(err)};
 }
 
-Outcome pairlight(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), PAIRLIGHT_PROGRAM);
-    return run(arguments);
+Outcome pairlight(const std::vector<std::string>& arguments) {
+    std::vector<std::string> command{PAIRLIGHT_PROGRAM};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    return run(command);
 }
 
 TemporaryFolder::TemporaryFolder() {

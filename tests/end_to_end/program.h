@@ -17,7 +17,7 @@ struct Outcome {
 Outcome run(const std::vector<std::string>& command);
 
 /// Runs pairlight with `arguments`.
-Outcome pairlight(std::vector<std::string> arguments);
+Outcome pairlight(const std::vector<std::string>& arguments);
 
 /// A folder that is gone with its owner.
 class TemporaryFolder {

@@ -24,6 +24,9 @@ constexpr int gap = 20;
 constexpr int left_edge = (screen_width - 2 * picture_width - gap) / 2;
 constexpr int top_edge = (screen_height - picture_height) / 2;
 
+const std::vector<std::string> scenes{"garden", "harbour"};
+const std::vector<std::string> conditions{"first", "second", "third"};
+
 struct VoteLine {
     std::string scene, left, right, chosen;
 };
@@ -62,9 +65,9 @@ EncodedImage cut(const EncodedImage& screen, int left, int top) {
 std::optional<VoteLine> pair_shown(const EncodedImage& screen) {
     const auto left = cut(screen, left_edge, top_edge).codes;
     const auto right = cut(screen, left_edge + picture_width + gap, top_edge).codes;
-    for (const std::string scene : {"garden", "harbour"})
-        for (const std::string a : {"first", "second", "third"})
-            for (const std::string b : {"first", "second", "third"})
+    for (const auto& scene : scenes)
+        for (const auto& a : conditions)
+            for (const auto& b : conditions)
                 if (left == small_picture(scene, a).codes && right == small_picture(scene, b).codes)
                     return VoteLine{scene, a, b, ""};
     return std::nullopt;
@@ -97,7 +100,7 @@ bool press_on(const VirtualScreen& screen,
               Done done) {
     const auto deadline = Clock::now() + std::chrono::seconds(120);
     while (program.is_running() && Clock::now() < deadline) {
-        for (const std::string key : {std::string("space"), std::string("F9"), answer})
+        for (const auto& key : {std::string("space"), std::string("F9"), answer})
             screen.press(key);
         if (done())
             return true;

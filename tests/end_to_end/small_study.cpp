@@ -69,8 +69,9 @@ renderer::imaging::EncodedImage small_picture(const std::string& scene,
 void write_small_study(const std::filesystem::path& folder) {
     write_file(folder / "study.toml", study_text);
     write_file(folder / "instructions.md", "# Welcome\n\nChoose the more realistic picture.\n");
-    for (const std::string scene : {"garden", "harbour"})
-        for (const std::string condition : {"first", "second", "third"}) {
+    for (const std::string& scene : {std::string("garden"), std::string("harbour")})
+        for (const std::string& condition :
+             {std::string("first"), std::string("second"), std::string("third")}) {
             const auto file = folder / "stimuli" / scene / (condition + ".png");
             std::filesystem::create_directories(file.parent_path());
             if (const auto written =
