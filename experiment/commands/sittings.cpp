@@ -46,12 +46,21 @@ bool is_finished(const LoadedStudy& loaded, const store::SittingKey& key) {
     return sitting && sitting->finished_utc;
 }
 
+/// Asks before anything is opened for writing, so that a refusal leaves every byte as it was.
+void check_against_votes(const session::SittingRequest& request,
+                         const LoadedStudy& loaded,
+                         const session::Clock& clock) {
+    if (!std::filesystem::exists(loaded.folder.votes()))
+        return;
+    const auto store = value_or_stop(store::open_votes(loaded.folder.votes()));
+    value_or_stop(session::check_sitting(request, *store, clock));
+}
+
 session::SittingOutcome conducted(const session::SittingRequest& request,
                                   const LoadedStudy& loaded,
                                   session::Screen& screen,
                                   const session::Clock& clock) {
     const auto store = writable_store(loaded);
-    value_or_stop(session::check_sitting(request, *store, clock));
     value_or_stop(store->add_observer(request.key.observer, session::utc_text(clock.wall())));
     return value_or_stop(session::conduct(request, *store, screen, clock));
 }
@@ -93,6 +102,7 @@ session::SittingOutcome sit(const LoadedStudy& loaded,
             value_or_stop(stimuli::find_picture(
                 loaded, {planned.trial.scene, planned.trial.variant, condition}));
     const session::SystemClock clock;
+    check_against_votes(request, loaded, clock);
     const auto screen = value_or_stop(session::open_window(
         {.size = options.size,
          .monitor = options.monitor,
@@ -122,6 +132,7 @@ session::SittingOutcome simulate_sitting(const LoadedStudy& loaded,
         sitting_request(loaded, observer, session, session::text_of(simulated), {});
     session::VirtualClock clock(std::chrono::system_clock::now() +
                                 std::chrono::hours(24 * days_later));
+    check_against_votes(request, loaded, clock);
     session::SimulatedScreen screen(simulated, loaded.study.id, observer, session, clock);
     return conducted(request, loaded, screen, clock);
 }

@@ -132,9 +132,12 @@ TEST(ThicknessCommand, TracesAModelInTheFormScriptsRelyOn) {
             const double z = std::stod(std::string(fields[3]));
             const double toward = fields[7] == "0" ? 1.0 : -1.0;
             const double chord = 2.0 * 2.0 * std::max(0.0, -z * toward);
-            // The body is an icosphere inscribed in the unit sphere: its chords are shorter by its
-            // sagitta, some 1e-3.
-            EXPECT_LE(std::abs(std::stod(std::string(fields[8])) - chord), 0.02) << "line " << line;
+            // An icosphere's facets (edges of 0.035) lie up to h^2/8 = 1.5e-4 inside the sphere; a
+            // chord at height z is off by that over z at each end.  Nearer to grazing, a chord is
+            // as short as an edge, and the facets decide.
+            if (std::abs(z) <= 0.1)
+                return std::string();
+            EXPECT_LE(std::abs(std::stod(std::string(fields[8])) - chord), 0.01) << line;
             ++seen;
             return std::string();
         });
