@@ -312,15 +312,23 @@ std::string early_keys(const std::vector<Sitting>& sittings) {
 }
 
 std::string left_side(const Findings& findings) {
-    const auto all = std::ranges::find(findings.matrices, "all", &analysis::ScopedMatrix::scope);
-    if (all == findings.matrices.end())
+    const auto& side = findings.consistency.side;
+    return fmt::format("{} of {} votes, exact binomial {}", side.left, side.answers,
+                       p_equals(side.p));
+}
+
+std::string circular_triads(const Findings& findings) {
+    const auto& triads = findings.consistency.triads;
+    if (triads.rounds == 0)
         return "";
-    std::int64_t left = 0;
-    const auto conditions = all->matrix.conditions();
-    for (std::size_t i = 0; i < conditions; ++i)
-        for (std::size_t j = 0; j < conditions; ++j)
-            left += i == j ? 0 : all->matrix.left_chosen(i, j);
-    return fmt::format("{} of {} votes", left, all->matrix.total_comparisons());
+    return fmt::format("{} in {} rounds, {} expected by chance; mean zeta {}", triads.total,
+                       triads.rounds, decimal(triads.expected_if_random, 0),
+                       decimal(triads.mean_zeta, 3));
+}
+
+/// Shares of identical answers; NaN where nothing was answered twice.
+std::string identical_answers(double share) {
+    return share >= 0 ? percent(share) + " identical answers, by chance " + percent(0.5) : "";
 }
 
 FactList about_the_votes(const Records& records, const Findings& findings) {
@@ -331,7 +339,11 @@ FactList about_the_votes(const Records& records, const Findings& findings) {
              {"Answers before input opened", known(early_keys(records.sittings))},
              {"Response times", known(response_times(records.sittings))},
              {"Left picture chosen", known(left_side(findings))},
-             {"Circular triads, repeatability, agreement", {}}}};
+             {"Circular triads", known(circular_triads(findings))},
+             {"Repeatability between sessions of an observer",
+              known(identical_answers(findings.consistency.repeatability.within_mean))},
+             {"Agreement between observers in the same session",
+              known(identical_answers(findings.consistency.repeatability.between_mean))}}};
 }
 
 FactList about_deviations(const Records& records, const Findings& findings) {

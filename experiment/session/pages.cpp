@@ -21,6 +21,34 @@ std::string trimmed(std::string_view text) {
     return std::string(text.substr(first, text.find_last_not_of(blank) - first + 1));
 }
 
+/// Headings and list items stand on lines of their own; everything else flows.
+bool begins_a_line(std::string_view line) {
+    return line.empty() || line.starts_with("# ") || line.starts_with("- ");
+}
+
+std::string without_emphasis(std::string_view line) {
+    std::string plain(line.starts_with("> ") ? line.substr(2) : line);
+    for (auto stars = plain.find("**"); stars != std::string::npos; stars = plain.find("**"))
+        plain.erase(stars, 2);
+    return plain;
+}
+
+/// Markdown as a page of text: the lines of a paragraph are one line, to be wrapped where the
+/// column ends; marks of emphasis and quotation are left out.
+std::string flowed(std::string_view markdown) {
+    std::string page;
+    bool may_join = false;
+    while (!markdown.empty()) {
+        const auto raw = markdown.substr(0, markdown.find('\n'));
+        markdown.remove_prefix(std::min(markdown.size(), raw.size() + 1));
+        const auto line = trimmed(raw);
+        page += page.empty() ? "" : may_join && !begins_a_line(line) ? " " : "\n";
+        page += without_emphasis(line);
+        may_join = !line.empty() && !line.starts_with("# ");
+    }
+    return page;
+}
+
 } // namespace
 
 std::vector<std::string> split_pages(std::string_view text) {
@@ -43,8 +71,8 @@ std::vector<std::string> split_pages(std::string_view text) {
     return pages;
 }
 
-PageView instruction_page(std::string text) {
-    return {std::move(text), "Space: next page", Key::Forward};
+PageView instruction_page(std::string_view text) {
+    return {flowed(text), "Space: next page", Key::Forward};
 }
 
 PageView question_page(const std::string& question) {

@@ -13,7 +13,9 @@ namespace experiment::session {
 /// pages left out.
 std::vector<std::string> split_pages(std::string_view text);
 
-PageView instruction_page(std::string text);
+/// A page of the instructions' Markdown: paragraphs flow, headings ("# ") and list items ("- ")
+/// keep their lines, emphasis and quotation are shown plain.
+PageView instruction_page(std::string_view text);
 PageView question_page(const std::string& question);
 PageView break_page();
 PageView paused_page();

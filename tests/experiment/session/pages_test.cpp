@@ -22,6 +22,13 @@ TEST(Pages, KeepOtherAlphabets) {
     EXPECT_THAT(split_pages("Grüße\n---\n質問"), ElementsAre("Grüße", "質問"));
 }
 
+TEST(Pages, FlowWithinParagraphsAsMarkdownDoes) {
+    EXPECT_EQ(
+        instruction_page("# Head\nOne **bold**\nword.\n\n> asked\n\n- first\n  goes on\n- second")
+            .text,
+        "# Head\nOne bold word.\n\nasked\n\n- first goes on\n- second");
+}
+
 TEST(Pages, SayTheQuestionBeforeThePairs) {
     const auto page = question_page("Which looks more like wax?");
     EXPECT_THAT(page.text, HasSubstr("Which looks more like wax?"));
