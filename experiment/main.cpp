@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <cstdio>
 #include <cstdlib>
 
 namespace commands = experiment::commands;
@@ -24,6 +25,10 @@ int main(int argc, char** argv) {
         return program.exit(error);
     } catch (const std::exception& error) {
         fmt::print(stderr, "pairlight: {}\n", error.what());
+        return EXIT_FAILURE;
+    }
+    if (std::fflush(stdout) != 0) {
+        fmt::print(stderr, "pairlight: the result could not be written to standard output\n");
         return EXIT_FAILURE;
     }
     return EXIT_SUCCESS;

@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace experiment {
@@ -36,6 +37,18 @@ analysis::VoteRow for_analysis(const store::VoteRow& row, bool with_variants) {
     return vote;
 }
 
+/// A sentence when some sitting was held under another text of the study file; "" when none was.
+std::string changed_study(const LoadedStudy& loaded) {
+    const auto store = store::open_votes(loaded.folder.votes());
+    const auto sittings = store ? (*store)->sittings() : tl::unexpected(store.error());
+    const bool changed = sittings && std::ranges::any_of(*sittings, [&](const auto& sitting) {
+                             return sitting.study_sha256 != loaded.sha256;
+                         });
+    return changed ? "The study file was changed since some of the sittings: their votes are "
+                     "pooled with the others."
+                   : "";
+}
+
 tl::expected<VoteSource, std::string> from_study(const fs::path& path) {
     auto loaded = read_study(path);
     if (!loaded)
@@ -54,6 +67,8 @@ tl::expected<VoteSource, std::string> from_study(const fs::path& path) {
         analysis::append_vote(table, for_analysis(row, with_variants));
         table.simulated = table.simulated || row.simulated;
     }
+    if (const auto changed = changed_study(*loaded); !changed.empty())
+        table.notes.push_back(changed);
     return VoteSource{std::move(table), loaded->study.title, digest(long_csv(*rows)),
                       std::move(*loaded)};
 }
@@ -77,6 +92,21 @@ tl::expected<VoteSource, std::string> read_votes(const fs::path& path) {
     return is_study ? from_study(path) : from_table(path);
 }
 
+tl::expected<std::unique_ptr<store::VoteStore>, std::string>
+open_whole_votes(const StudyFolder& folder) {
+    auto store = store::open_votes(folder.votes());
+    if (!store)
+        return store;
+    const auto faults = (*store)->verify();
+    if (!faults)
+        return tl::unexpected(faults.error());
+    if (!faults->empty())
+        return tl::unexpected(
+            fmt::format("{}: the record is not whole, {} faults; `pairlight verify {}` lists them",
+                        folder.votes().string(), faults->size(), folder.root.string()));
+    return store;
+}
+
 tl::expected<std::vector<store::VoteRow>, std::string> stored_votes(const LoadedStudy& loaded) {
     const auto file = loaded.folder.votes();
     const auto none = [&] {
@@ -87,7 +117,7 @@ tl::expected<std::vector<store::VoteRow>, std::string> stored_votes(const Loaded
     };
     if (!fs::exists(file))
         return none();
-    const auto store = store::open_votes(file);
+    const auto store = open_whole_votes(loaded.folder);
     if (!store)
         return tl::unexpected(store.error());
     auto rows = (*store)->votes();

@@ -3,11 +3,12 @@
 
 #include "analysis/vote_table.h"
 #include "experiment/read_study.h"
-#include "experiment/store/records.h"
+#include "experiment/store/vote_store.h"
 
 #include <tl/expected.hpp>
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,11 @@ struct VoteSource {
 /// `path` is a study (folder or study.toml) or a CSV table.
 /// Errors: "<file>[:<line>]: ..."; a study without votes.
 tl::expected<VoteSource, std::string> read_votes(const std::filesystem::path& path);
+
+/// A study's store, after its record was found whole: an analysis of damaged votes is worth
+/// nothing. Errors: no store; one that cannot be read; one with faults, and how to list them.
+tl::expected<std::unique_ptr<store::VoteStore>, std::string>
+open_whole_votes(const StudyFolder& folder);
 
 /// Every main vote of a study, in the order of the store.
 tl::expected<std::vector<store::VoteRow>, std::string> stored_votes(const LoadedStudy& loaded);

@@ -113,11 +113,10 @@ Rendering read_rendering(Section& section, const KnownNames& known) {
     rendering.thickness = section.one_of("thickness", known.thickness_kinds, rendering.thickness);
     section.whole("directions", {1, 65536}, rendering.directions);
     section.whole("depth_map", {16, 16384}, rendering.depth_map);
-    if (const int coefficients = rendering.bands * rendering.bands;
-        rendering.directions < coefficients)
+    if (const int least = 2 * rendering.bands * rendering.bands; rendering.directions < least)
         section.refuse("directions",
-                       fmt::format("at least {}, one for each coefficient of {} bands",
-                                   coefficients, rendering.bands));
+                       fmt::format("at least {}, two for each coefficient of {} bands", least,
+                                   rendering.bands));
     return rendering;
 }
 
@@ -157,6 +156,8 @@ Scene read_scene(Section section, const KnownNames& known, Pictures pictures) {
     Scene scene;
     scene.line = section.line();
     scene.id.value = section.id();
+    if (scene.id.value == "manifest.json")
+        section.refuse("id", "another name: the stimuli's manifest is called that");
     scene.label = section.text("label", scene.id.value);
     scene.model = section.text("model", missing);
     section.number("turn_degrees", {-360, 360}, scene.turn_degrees);

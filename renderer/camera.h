@@ -1,4 +1,4 @@
-// A model on a turntable before a fixed camera.  Conventions: docs/conventions.md#camera
+// A model on a turntable before a fixed camera.  Conventions: docs/conventions.md#geometry
 #pragma once
 
 #include "renderer/geometry/mesh.h"

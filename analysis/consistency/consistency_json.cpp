@@ -2,7 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <charconv>
 #include <cmath>
+#include <string>
 
 namespace analysis::consistency {
 
@@ -11,11 +13,20 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Names = std::vector<std::string>;
 
+/// Sessions are numbers where they are counted, as the program counts its own, and names elsewhere.
+Json session_json(const std::string& session) {
+    int number = 0;
+    const auto* end = session.data() + session.size();
+    const auto [stop, error] = std::from_chars(session.data(), end, number);
+    const bool counted = error == std::errc() && stop == end && std::to_string(number) == session;
+    return counted ? Json(number) : Json(session);
+}
+
 // NaN becomes null in the text; the findings give reasons where a design can cause it.
 Json agreement_row(const ScopedAgreement& cell, const Names& factor_names) {
     Json row = Json::object();
     if (!cell.session.empty())
-        row["session"] = cell.session;
+        row["session"] = session_json(cell.session);
     for (std::size_t f = 0; f < cell.scene.size(); ++f)
         if (!cell.scene[f].empty())
             row[factor_names[f]] = cell.scene[f];

@@ -2,9 +2,7 @@
 #include "experiment/commands/commands.h"
 #include "experiment/models.h"
 #include "experiment/read_study.h"
-#include "experiment/stimuli/own_images.h"
-#include "experiment/stimuli/render_study.h"
-#include "experiment/stimuli/scene_renderer.h"
+#include "experiment/stimuli/freshness.h"
 #include "protocols/schedule.h"
 #include "protocols/session_length.h"
 
@@ -30,13 +28,14 @@ bool has_rendered_conditions(const Study& study) {
 void say_what_is_asked(const Study& study) {
     const auto pictures = study.scenes.size() * shown_variants(study).size();
     const auto t = study.conditions.size();
-    fmt::print("{}: {} conditions, {} scenes, {} ways to show each: {} pairs a sitting, {} "
-               "sittings a day or more apart\n",
+    fmt::print("{}: {} conditions, {} scenes, {} ways to show each: {} pairs a sitting, "
+               "{}\n",
                study.id, t, study.scenes.size(), shown_variants(study).size(),
                pictures * t * (t - 1) / 2 * static_cast<std::size_t>(study.plan.repetitions),
-               study.plan.sessions == 1 ? "one sitting"
-                                        : fmt::format("{} sittings at least {} days apart",
-                                                      study.plan.sessions, study.plan.days_apart));
+               study.plan.sessions == 1
+                   ? "one sitting"
+                   : fmt::format("{} sittings, {} calendar days from one to the next or more",
+                                 study.plan.sessions, study.plan.days_apart));
 }
 
 void say_how_long(const Study& study) {
@@ -67,26 +66,16 @@ void check_models(const LoadedStudy& loaded, const Voice& voice) {
     }
 }
 
-/// Own images have to be there; rendered ones are counted.
-void check_stimuli(const LoadedStudy& loaded) {
-    int rendered = 0;
-    int missing = 0;
-    for (const auto& scene : loaded.study.scenes)
-        for (const auto& variant : shown_variants(loaded.study))
-            for (const auto& condition : loaded.study.conditions) {
-                const protocols::Picture picture{scene.id, variant.id, condition.id};
-                if (std::holds_alternative<protocols::OwnImages>(condition.source))
-                    value_or_stop(stimuli::inspect_own_image(loaded, picture));
-                else
-                    ++(std::filesystem::exists(stimuli::png_file(loaded.folder, picture))
-                           ? rendered
-                           : missing);
-            }
-    if (missing > 0)
-        fmt::print("stimuli: {} rendered, {} still to render: `pairlight render {}`\n", rendered,
-                   missing, loaded.folder.root.string());
-    else
-        fmt::print("stimuli: all there\n");
+/// Before the first rendering nothing is there; afterwards everything has to be as the study asks.
+void check_pictures(const LoadedStudy& loaded) {
+    if (has_rendered_conditions(loaded.study) &&
+        !std::filesystem::exists(loaded.folder.manifest())) {
+        fmt::print("stimuli: still to render, `pairlight render {}`\n",
+                   loaded.folder.root.string());
+        return;
+    }
+    value_or_stop(stimuli::check_stimuli(loaded));
+    fmt::print("stimuli: all there, as the study asks\n");
 }
 
 } // namespace
@@ -109,7 +98,7 @@ void add_check(CLI::App& program) {
         say_which_order(loaded.study);
         if (has_rendered_conditions(loaded.study))
             check_models(loaded, options->voice);
-        check_stimuli(loaded);
+        check_pictures(loaded);
         fmt::print("observers: fewer than 15 make it an informal study (BT.500)\n");
     });
 }

@@ -6,7 +6,32 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
 namespace experiment::commands {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kept_by_studies{"study.toml", "instructions.md",
+                                                          "votes.sqlite", "manifest.json"};
+
+void refuse_to_overwrite(const fs::path& path, const fs::path& input) {
+    std::error_code ignored;
+    const bool is_input = fs::exists(path, ignored) && fs::equivalent(path, input, ignored);
+    const bool is_kept = fs::exists(path, ignored) &&
+                         std::ranges::count(kept_by_studies, path.filename().string()) > 0;
+    if (is_input || is_kept)
+        throw CommandError(
+            fmt::format("{}: would be written over and lost; name another file", path.string()));
+}
+
+} // namespace
 
 void Voice::remark(const std::string& text) const {
     if (!quiet)
@@ -17,11 +42,13 @@ void add_voice(CLI::App& command, Voice& voice) {
     command.add_flag("-q,--quiet", voice.quiet, "Say nothing on the way: results and errors only");
 }
 
-void deliver(const std::string& text, const std::string& path) {
-    if (path.empty())
+void deliver(const std::string& text, const std::string& path, const std::string& input) {
+    if (path.empty()) {
         fmt::print("{}", text);
-    else
-        value_or_stop(write_text_file(path, text));
+        return;
+    }
+    refuse_to_overwrite(path, input);
+    value_or_stop(write_text_file(path, text));
 }
 
 } // namespace experiment::commands

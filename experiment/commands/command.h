@@ -39,6 +39,8 @@ struct Voice {
 void add_voice(CLI::App& command, Voice& voice);
 
 /// Writes a result to the file `path`, or to standard output when it is empty.
-void deliver(const std::string& text, const std::string& path);
+/// Errors: CommandError for a file that cannot be written, and for one that would be lost: `input`,
+/// which the result was made from, and what a study folder keeps (study.toml, votes.sqlite, ...).
+void deliver(const std::string& text, const std::string& path, const std::string& input);
 
 } // namespace experiment::commands

@@ -35,10 +35,20 @@ bool has_display() {
 bool wants_to_sit() {
     if (!has_display() || isatty(STDIN_FILENO) == 0)
         return false;
-    fmt::print(stderr, "Will you sit the study yourself first? It takes about two minutes. [Y/n] ");
+    fmt::print(stderr, "Will you sit the study yourself first? Two to three minutes, if you do not "
+                       "linger. [Y/n] ");
     std::string answer;
     std::getline(std::cin, answer);
     return std::cin && (answer.empty() || answer.front() == 'y' || answer.front() == 'Y');
+}
+
+/// Where no window can be had, the demo goes on without.
+void try_to_sit(const LoadedStudy& loaded, const Voice& voice) {
+    try {
+        sit(loaded, {"you"}, 1, {}, voice);
+    } catch (const CommandError& error) {
+        voice.remark(fmt::format("no sitting of yours: {}", error.what()));
+    }
 }
 
 void run_demo(const std::string& folder, const Voice& voice) {
@@ -59,7 +69,7 @@ void run_demo(const std::string& folder, const Voice& voice) {
                              summary.up_to_date));
 
     if (wants_to_sit())
-        sit(loaded, {"you"}, 1, {}, voice);
+        try_to_sit(loaded, voice);
     simulate_observers(loaded, simulated_observers, invented_scores, voice);
     voice.remark(fmt::format("3/4 the votes: {} simulated observers have finished the study",
                              simulated_observers));

@@ -48,7 +48,7 @@ void add_export(CLI::App& program) {
     add_voice(*command, options->voice);
     command->callback([options] {
         const auto table = exported(options->study, options->form);
-        deliver(table, options->csv);
+        deliver(table, options->csv, options->study);
         if (!options->csv.empty())
             options->voice.remark(options->csv + ": written");
     });

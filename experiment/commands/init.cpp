@@ -35,6 +35,10 @@ void make_study_folder(const fs::path& path, const std::string& template_name) {
     if (fs::exists(folder.study_file()))
         throw CommandError(fmt::format("{}: there is a study already; choose another folder",
                                        folder.study_file().string()));
+    if (fs::exists(folder.root / "instructions.md"))
+        throw CommandError(
+            fmt::format("{}: is there already and would be written over; move it away",
+                        (folder.root / "instructions.md").string()));
     value_or_stop(write_text_file(folder.root / "instructions.md", templates::instructions_md));
     value_or_stop(write_text_file(folder.study_file(), study_templates().at(template_name)));
 }

@@ -33,7 +33,7 @@ void add_schedule(CLI::App& program) {
         const auto loaded = value_or_stop(read_study(options->study));
         const auto schedule = value_or_stop(
             protocols::make_schedule(loaded.study, {options->observer}, options->session));
-        deliver(schedule_csv(schedule), options->csv);
+        deliver(schedule_csv(schedule), options->csv, options->study);
         options->voice.remark(fmt::format("Order: {}; generator {}, seed {}.", schedule.scene_rule,
                                           schedule.generator, schedule.order_seed));
     });

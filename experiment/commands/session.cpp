@@ -28,7 +28,7 @@ std::optional<session::WindowSize> window_size(const std::string& text) {
         return std::nullopt;
     session::WindowSize size;
     int read = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%n", &size.width, &size.height, &read) != 2 ||
+    if (std::sscanf(text.c_str(), "%5dx%5d%n", &size.width, &size.height, &read) != 2 ||
         static_cast<std::size_t>(read) != text.size() || size.width < 1 || size.height < 1)
         throw CommandError(fmt::format("--window {}: expected a size such as 1280x720", text));
     return size;
@@ -42,7 +42,8 @@ void run(Options options) {
     const auto outcome = options.simulate
                              ? simulate_sitting(loaded, observer, session, *options.simulate, 0)
                              : sit(loaded, observer, session, options.seat, options.voice);
-    fmt::print("{}: sitting {}, {} votes, {}\n", options.observer, session, outcome.votes,
+    fmt::print("{}{}: sitting {}, {} votes, {}\n", options.simulate ? "SIMULATED " : "",
+               options.observer, session, outcome.votes,
                outcome.finished ? "finished" : "not finished");
 }
 

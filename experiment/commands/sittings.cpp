@@ -6,8 +6,10 @@
 #include "experiment/session/simulated_screen.h"
 #include "experiment/session/window.h"
 #include "experiment/stimuli/display_picture.h"
+#include "experiment/stimuli/freshness.h"
 #include "experiment/stimuli/render_study.h"
 #include "experiment/store/sqlite_store.h"
+#include "experiment/vote_source.h"
 #include "protocols/schedule.h"
 
 #include <fmt/core.h>
@@ -38,10 +40,17 @@ std::string renderers(const stimuli::Manifest& manifest) {
     return all;
 }
 
+/// An empty file is left to the store, which says what to do about it.
+bool has_votes(const LoadedStudy& loaded) {
+    std::error_code none;
+    const auto size = std::filesystem::file_size(loaded.folder.votes(), none);
+    return !none && size > 0;
+}
+
 bool is_finished(const LoadedStudy& loaded, const store::SittingKey& key) {
-    if (!std::filesystem::exists(loaded.folder.votes()))
+    if (!has_votes(loaded))
         return false;
-    const auto store = value_or_stop(store::open_votes(loaded.folder.votes()));
+    const auto store = value_or_stop(open_whole_votes(loaded.folder));
     const auto sitting = value_or_stop(store->sitting(key));
     return sitting && sitting->finished_utc;
 }
@@ -50,9 +59,9 @@ bool is_finished(const LoadedStudy& loaded, const store::SittingKey& key) {
 void check_against_votes(const session::SittingRequest& request,
                          const LoadedStudy& loaded,
                          const session::Clock& clock) {
-    if (!std::filesystem::exists(loaded.folder.votes()))
+    if (!has_votes(loaded))
         return;
-    const auto store = value_or_stop(store::open_votes(loaded.folder.votes()));
+    const auto store = value_or_stop(open_whole_votes(loaded.folder));
     value_or_stop(session::check_sitting(request, *store, clock));
 }
 
@@ -61,7 +70,6 @@ session::SittingOutcome conducted(const session::SittingRequest& request,
                                   session::Screen& screen,
                                   const session::Clock& clock) {
     const auto store = writable_store(loaded);
-    value_or_stop(store->add_observer(request.key.observer, session::utc_text(clock.wall())));
     return value_or_stop(session::conduct(request, *store, screen, clock));
 }
 
@@ -72,6 +80,10 @@ session::SittingRequest sitting_request(const LoadedStudy& loaded,
                                         int session,
                                         std::optional<std::string> simulation,
                                         std::optional<std::string> override_reason) {
+    if (!store::is_pseudonym(observer.value))
+        throw CommandError(fmt::format(
+            "observer \"{}\": expected a pseudonym of 1 to 32 letters, digits, '-' and '_'",
+            observer.value));
     return {.study = loaded.study,
             .study_sha256 = loaded.sha256,
             .key = {observer, session},
@@ -97,10 +109,7 @@ session::SittingOutcome sit(const LoadedStudy& loaded,
                             const SeatOptions& options,
                             const Voice& voice) {
     const auto request = sitting_request(loaded, observer, session, {}, options.override_reason);
-    for (const auto& planned : request.schedule.trials)
-        for (const auto& condition : {planned.trial.left, planned.trial.right})
-            value_or_stop(stimuli::find_picture(
-                loaded, {planned.trial.scene, planned.trial.variant, condition}));
+    value_or_stop(stimuli::check_stimuli(loaded));
     const session::SystemClock clock;
     check_against_votes(request, loaded, clock);
     const auto screen = value_or_stop(session::open_window(

@@ -7,7 +7,6 @@
 #include "experiment/report/page.h"
 #include "experiment/session/clock.h"
 #include "experiment/stimuli/thumbnails.h"
-#include "experiment/store/sqlite_store.h"
 #include "experiment/text_files.h"
 
 namespace experiment::commands {
@@ -15,7 +14,7 @@ namespace experiment::commands {
 namespace {
 
 std::vector<store::Sitting> all_sittings(const LoadedStudy& loaded) {
-    const auto store = value_or_stop(store::open_votes(loaded.folder.votes()));
+    const auto store = value_or_stop(open_whole_votes(loaded.folder));
     std::vector<store::Sitting> sittings;
     for (const auto& summary : value_or_stop(store->sittings()))
         if (auto sitting = value_or_stop(store->sitting(summary.key)))

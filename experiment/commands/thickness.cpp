@@ -95,7 +95,7 @@ void add_thickness(CLI::App& program) {
     command
         ->add_option("--mm-per-unit", options->mm_per_unit,
                      "Millimetres to a model unit; without it, model units")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1e-9, 1e9));
     command->add_option("--csv", options->csv, "The file to write; without it, standard output");
     add_voice(*command, options->voice);
     command->callback([options] {
@@ -105,7 +105,7 @@ void add_thickness(CLI::App& program) {
             options->voice.remark(remark);
         const auto values = measured(*options, model.mesh, directions);
         deliver(thickness_csv(model.mesh, directions.size(), values, options->mm_per_unit),
-                options->csv);
+                options->csv, options->directions);
     });
 }
 

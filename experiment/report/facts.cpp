@@ -351,6 +351,11 @@ FactList about_deviations(const Records& records, const Findings& findings) {
     if (findings.design.observers.size() < formal_observers)
         deviations.push_back(fmt::format("{} observers, fewer than {}: informal",
                                          findings.design.observers.size(), formal_observers));
+    if (std::ranges::any_of(records.sittings, [&](const Sitting& sitting) {
+            return sitting.start.study_sha256 != records.study_sha256;
+        }))
+        deviations.emplace_back("the study file was changed between sittings or after them; each "
+                                "sitting keeps the digest of its own");
     if (!overrides(records.sittings).empty())
         deviations.emplace_back("sessions nearer to each other than planned, see above");
     deviations.emplace_back("viewing distance, display and room: what is not recorded above could "

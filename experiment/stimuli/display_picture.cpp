@@ -32,27 +32,16 @@ renderer::gpu::Picture8 bytes(const imaging::EncodedImage& image) {
 
 } // namespace
 
-tl::expected<std::filesystem::path, std::string> find_picture(const LoadedStudy& loaded,
-                                                              const protocols::Picture& picture) {
-    auto file = png_file(loaded.folder, picture);
-    if (!std::filesystem::exists(file))
-        return tl::unexpected(fmt::format("{}: is missing; `pairlight render {}` makes the stimuli",
-                                          file.string(), loaded.folder.root.string()));
-    return file;
-}
-
 tl::expected<renderer::gpu::Picture8, std::string>
 picture_for_display(const LoadedStudy& loaded, const protocols::Picture& picture) {
-    const auto file = find_picture(loaded, picture);
-    if (!file)
-        return tl::unexpected(file.error());
-    auto read = imaging::read_encoded(*file);
+    const auto file = png_file(loaded.folder, picture);
+    auto read = imaging::read_encoded(file);
     if (!read)
         return tl::unexpected(read.error());
     const auto& image = read->image;
     if (image.width != loaded.study.width || image.height != loaded.study.height)
         return tl::unexpected(fmt::format("{}: is {}x{} pixels, the study says {}x{}",
-                                          file->string(), image.width, image.height,
+                                          file.string(), image.width, image.height,
                                           loaded.study.width, loaded.study.height));
     return bytes(image.bits == 8 ? image : imaging::encode_8bit(linear(image)));
 }

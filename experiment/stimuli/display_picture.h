@@ -7,13 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include <filesystem>
-
 namespace experiment::stimuli {
-
-/// The picture's file.  Errors: not there; how to make it.
-tl::expected<std::filesystem::path, std::string> find_picture(const LoadedStudy& loaded,
-                                                              const protocols::Picture& picture);
 
 /// Eight bits per channel.  A file of 8 bits is taken code by code; one of 16 bits is rounded with
 /// ordered dither, the same for every picture.

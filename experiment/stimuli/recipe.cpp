@@ -42,12 +42,12 @@ std::map<std::string, std::string> dials(const protocols::Rendering& rendering) 
 std::string recipe(const protocols::Study& study,
                    const protocols::Scene& scene,
                    const protocols::Variant& variant,
-                   const std::string& model_sha256,
+                   const ModelRecord& model,
                    const std::string& renderer,
                    int samples) {
-    std::string text = fmt::format("{}\n{}\nmodel {}\nsize {} {} samples {} surround {}\n",
-                                   PAIRLIGHT_PROGRAM_VERSION, renderer, model_sha256, study.width,
-                                   study.height, samples, study.surround.code);
+    std::string text = fmt::format("{}\n{}\nmodel {} {}\nsize {} {} samples {} surround {}\n",
+                                   PAIRLIGHT_PROGRAM_VERSION, renderer, model.file, model.sha256,
+                                   study.width, study.height, samples, study.surround.code);
     text += described(scene);
     text += fmt::format("light {} {} {}\n", variant.to_light[0], variant.to_light[1],
                         variant.to_light[2]);

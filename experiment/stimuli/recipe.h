@@ -2,6 +2,7 @@
 // rendered once.
 #pragma once
 
+#include "experiment/stimuli/manifest.h"
 #include "protocols/study.h"
 
 #include <map>
@@ -12,13 +13,13 @@ namespace experiment::stimuli {
 /// A rendering's dials by their names in the study file.
 std::map<std::string, std::string> dials(const protocols::Rendering& rendering);
 
-/// Digest over the program, the renderer, the model's bytes, and all that the study says of the
+/// Digest over the program, the renderer, the model's file, and all that the study says of the
 /// scene, the variant and every condition: brightness is matched between conditions, so a picture
 /// depends on its neighbours too.
 std::string recipe(const protocols::Study& study,
                    const protocols::Scene& scene,
                    const protocols::Variant& variant,
-                   const std::string& model_sha256,
+                   const ModelRecord& model,
                    const std::string& renderer,
                    int samples);
 

@@ -55,10 +55,11 @@ class Run {
   private:
     const Study& study() const { return loaded_.study; }
 
+    /// Whether the study still has the picture; others leave the manifest.
+    bool is_asked_for(const Picture& picture) const;
     Expected<void> check_scene_names() const;
     Expected<void> render_scene(const Scene& scene);
-    std::vector<Variant> outdated_variants(const Scene& scene,
-                                           const std::string& model_sha256) const;
+    std::vector<Variant> outdated_variants(const Scene& scene, const ModelRecord& model) const;
     bool up_to_date(const Scene& scene, const Variant& variant, const std::string& recipe) const;
     Expected<void> take_own_images(const Scene& scene);
     Expected<void> save_manifest() const;
@@ -79,6 +80,8 @@ Expected<RenderSummary> Run::carry_out() {
     if (!manifest)
         return tl::unexpected(manifest.error());
     manifest_ = std::move(*manifest);
+    std::erase_if(manifest_.pictures,
+                  [&](const auto& entry) { return !is_asked_for(entry.first); });
     if (auto named = check_scene_names(); !named)
         return tl::unexpected(named.error());
     if (std::ranges::any_of(study().conditions, is_rendered)) {
@@ -102,6 +105,14 @@ Expected<RenderSummary> Run::carry_out() {
     return summary_;
 }
 
+bool Run::is_asked_for(const Picture& picture) const {
+    const auto has = [](const auto& all, const auto& id) {
+        return std::ranges::any_of(all, [&](const auto& one) { return one.id == id; });
+    };
+    return has(study().scenes, picture.scene) && has(shown_variants(study()), picture.variant) &&
+           has(study().conditions, picture.condition);
+}
+
 Expected<void> Run::check_scene_names() const {
     for (const auto& name : options_.only_scenes)
         if (std::ranges::none_of(study().scenes,
@@ -119,7 +130,7 @@ Expected<void> Run::render_scene(const Scene& scene) {
         return tl::unexpected(fmt::format("{}:{}: scene \"{}\": {}",
                                           loaded_.folder.study_file().string(), scene.line,
                                           scene.id.value, model.error()));
-    const auto variants = outdated_variants(scene, model->record.sha256 + model->record.file);
+    const auto variants = outdated_variants(scene, model->record);
     const auto rendered_conditions = std::ranges::count_if(study().conditions, is_rendered);
     const auto all = shown_variants(study()).size();
     summary_.up_to_date += static_cast<int>((all - variants.size()) * rendered_conditions);
@@ -138,9 +149,8 @@ Expected<void> Run::render_scene(const Scene& scene) {
         auto records = scene_renderer->render(variants[i], loaded_.folder);
         if (!records)
             return tl::unexpected(records.error());
-        const auto cooked = recipe(study(), scene, variants[i],
-                                   scene_renderer->model().sha256 + scene_renderer->model().file,
-                                   renderer_, options_.samples);
+        const auto cooked = recipe(study(), scene, variants[i], scene_renderer->model(), renderer_,
+                                   options_.samples);
         for (auto& [picture, record] : *records) {
             record.recipe = cooked;
             record.renderer = renderer_;
@@ -153,12 +163,11 @@ Expected<void> Run::render_scene(const Scene& scene) {
     return {};
 }
 
-std::vector<Variant> Run::outdated_variants(const Scene& scene,
-                                            const std::string& model_sha256) const {
+std::vector<Variant> Run::outdated_variants(const Scene& scene, const ModelRecord& model) const {
     std::vector<Variant> outdated;
     for (const auto& variant : shown_variants(study()))
         if (!up_to_date(scene, variant,
-                        recipe(study(), scene, variant, model_sha256, renderer_, options_.samples)))
+                        recipe(study(), scene, variant, model, renderer_, options_.samples)))
             outdated.push_back(variant);
     return outdated;
 }
@@ -169,7 +178,8 @@ bool Run::up_to_date(const Scene& scene, const Variant& variant, const std::stri
         const auto found = manifest_.pictures.find(picture);
         return !is_rendered(condition) ||
                (found != manifest_.pictures.end() && found->second.recipe == recipe &&
-                unchanged(png_file(loaded_.folder, picture), found->second.png_sha256));
+                unchanged(png_file(loaded_.folder, picture), found->second.png_sha256) &&
+                fs::exists(exr_file(loaded_.folder, picture)));
     });
 }
 

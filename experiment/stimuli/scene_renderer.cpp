@@ -99,6 +99,10 @@ fs::path png_file(const StudyFolder& folder, const Picture& picture) {
     return folder.stimuli() / (protocols::picture_path(picture) + ".png");
 }
 
+fs::path exr_file(const StudyFolder& folder, const Picture& picture) {
+    return folder.stimuli() / (protocols::picture_path(picture) + ".exr");
+}
+
 Expected<SceneRenderer> SceneRenderer::prepare(const protocols::Study& study,
                                                const protocols::Scene& scene,
                                                LoadedModel model,
@@ -231,8 +235,12 @@ Expected<std::map<Picture, PictureRecord>> SceneRenderer::render(const protocols
             {"Software", PAIRLIGHT_PROGRAM_VERSION}};
         const auto encoded = imaging::encode_16bit(
             imaging::composite_over_grey(image, match.gain, study_->surround.code));
+        const auto shown_mean =
+            imaging::check_encoded_mean(picture.condition.value, encoded, mask, match.target);
+        if (!shown_mean)
+            return tl::unexpected(fmt::format("{}: {}", png.string(), shown_mean.error()));
         auto written = imaging::write_png(png, encoded, texts).and_then([&] {
-            return imaging::write_exr(fs::path(png).replace_extension(".exr"), image, texts);
+            return imaging::write_exr(exr_file(folder, picture), image, texts);
         });
         if (!written)
             return tl::unexpected(written.error());

@@ -18,8 +18,9 @@
 
 namespace experiment::stimuli {
 
-/// stimuli/<scene>/<variant>/<condition>.png
+/// stimuli/<scene>/<variant>/<condition>.png, and .exr beside it
 std::filesystem::path png_file(const StudyFolder& folder, const protocols::Picture& picture);
+std::filesystem::path exr_file(const StudyFolder& folder, const protocols::Picture& picture);
 
 /// Needs a current OpenGL context, and has to be gone before that is.
 class SceneRenderer {

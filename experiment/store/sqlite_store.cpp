@@ -27,13 +27,6 @@ std::string word(auto enumerator) {
     return std::string(word_of(enumerator));
 }
 
-bool is_pseudonym(const std::string& id) {
-    return !id.empty() && id.size() <= 32 && std::ranges::all_of(id, [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               c == '-' || c == '_';
-    });
-}
-
 // Runs `work` on `file`; what the database throws becomes the error.
 template <class Work>
 auto attempt(const std::filesystem::path& file, Work work) -> Expected<decltype(work())> {

@@ -6,7 +6,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace experiment::store {
+
+bool is_pseudonym(const std::string& id) {
+    return !id.empty() && id.size() <= 32 && std::ranges::all_of(id, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '-' || c == '_';
+    });
+}
 
 std::string plan_digest(std::span<const protocols::PlannedTrial> plan) {
     std::string text;

@@ -12,6 +12,9 @@ namespace experiment::store {
 
 using protocols::Expected;
 
+/// 1..32 letters, digits, '-' and '_': what an observer may be called.
+bool is_pseudonym(const std::string& id);
+
 /// SHA-256 over the planned trials in order, hexadecimal: the same plan, the same digest.
 std::string plan_digest(std::span<const protocols::PlannedTrial> plan);
 

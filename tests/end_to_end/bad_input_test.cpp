@@ -153,6 +153,48 @@ TEST_F(BadInput, NamesTheLineOfAVoteTableThatIsWrong) {
     EXPECT_THAT(outcome.err, HasSubstr("votes.csv:3: "));
 }
 
+TEST_F(BadInput, RefusesANameForAnObserverAndLeavesNoTrace) {
+    write_small_study(folder.path());
+    const auto outcome = pairlight({"session", path(), "--observer", "Jane Doe", "--simulate", ""});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("Jane Doe"), HasSubstr("pseudonym")));
+    EXPECT_FALSE(fs::exists(folder / "votes.sqlite"));
+}
+
+TEST_F(BadInput, WritesNoResultOverAStudyOrOverItsOwnSource) {
+    write_small_study(folder.path());
+    ASSERT_EQ(pairlight({"session", path(), "--observer", "P1", "--simulate", ""}).status, 0);
+    const auto store = read_file(folder / "votes.sqlite");
+    const auto outcome =
+        pairlight({"export", path(), "--format", "long", "--csv", path() + "/votes.sqlite"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("would be written over"));
+    EXPECT_TRUE(read_file(folder / "votes.sqlite") == store) << "the store was changed";
+    const auto table = path() + "/votes.csv";
+    ASSERT_EQ(pairlight({"export", path(), "--format", "long", "--csv", table}).status, 0);
+    EXPECT_EQ(pairlight({"analyze", table, "--json", table}).status, 1);
+}
+
+TEST_F(BadInput, RefusesToAnalyseOrAddToARecordThatIsNotWhole) {
+    write_small_study(folder.path());
+    ASSERT_EQ(pairlight({"session", path(), "--observer", "P1", "--simulate", ""}).status, 0);
+    auto store = read_file(folder / "votes.sqlite");
+    const auto observer = store.rfind("garden");
+    ASSERT_NE(observer, std::string::npos);
+    store.replace(observer, 6, "gorden");
+    write_file(folder / "votes.sqlite", store);
+    EXPECT_EQ(pairlight({"verify", path()}).status, 1);
+    for (const auto& words : std::vector<std::vector<std::string>>{
+             {"analyze", path()},
+             {"report", path()},
+             {"export", path(), "--format", "long"},
+             {"session", path(), "--observer", "P2", "--simulate", ""}}) {
+        const auto outcome = pairlight(words);
+        EXPECT_EQ(outcome.status, 1) << words.front();
+        EXPECT_THAT(outcome.err, HasSubstr("not whole")) << words.front();
+    }
+}
+
 TEST_F(BadInput, SaysThatAStudyHasNoVotesYet) {
     write_small_study(folder.path());
     for (const auto* command : {"analyze", "report"}) {

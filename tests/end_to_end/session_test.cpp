@@ -122,19 +122,28 @@ TEST_F(SessionWindow, ShowsBothPicturesOnGreyAndKeepsEveryVote) {
     const auto look = [&] {
         const auto photograph = screen.photograph();
         if (const auto pair = pair_shown(photograph)) {
-            seen.insert(pair->scene + pair->left + pair->right);
+            seen.insert(pair->scene + ",," + pair->left + "," + pair->right);
             EXPECT_EQ(pixels_off_grey(photograph), 0);
         }
         return false;
     };
     ASSERT_TRUE(press_on(screen, program, "Left", look)) << "the sitting did not end";
     EXPECT_EQ(program.status(), 0) << read_file(study / "stderr");
+    // Left on the screen is left in the plan: a photographed pair that the plan has only mirrored
+    // would not be found there.
     EXPECT_GE(seen.size(), 1u) << "no photograph caught a pair";
+    const auto plan =
+        pairlight({"schedule", study.path().string(), "--observer", "P1", "--quiet"}).out;
+    for (const auto& pair : seen)
+        EXPECT_THAT(plan, testing::HasSubstr("," + pair + "\n"));
 
     const auto kept = votes(study.path());
     EXPECT_EQ(kept.size(), static_cast<std::size_t>(pairs_asked));
-    for (const auto& vote : kept)
+    for (const auto& vote : kept) {
         EXPECT_EQ(vote.chosen, "left");
+        EXPECT_THAT(plan,
+                    testing::HasSubstr("main," + vote.scene + ",," + vote.left + "," + vote.right));
+    }
     EXPECT_EQ(pairlight({"verify", study.path().string()}).status, 0);
 }
 

@@ -77,6 +77,16 @@ TEST(WholeStudy, GoesFromItsFileToAReport) {
     EXPECT_EQ(pairlight({"render", study, "--quiet"}).out,
               "4 pictures rendered, 12 up to date, 0 own images checked\n");
 
+    // A study that was changed after rendering is noticed before anyone sits in front of it.
+    auto changed = std::string(study_text);
+    changed.replace(changed.find("bands      = 2"), 14, "bands      = 3");
+    write_file(folder / "study.toml", changed);
+    EXPECT_THAT(pairlight({"check", study}).err,
+                HasSubstr("rendered before the study was changed"));
+    EXPECT_THAT(pairlight({"session", study, "--observer", "P1"}).err,
+                HasSubstr("rendered before the study was changed"));
+    write_file(folder / "study.toml", study_text);
+
     ASSERT_EQ(pairlight({"simulate", study, "--observers", "3"}).status, 0);
     const auto exported = pairlight({"export", study, "--format", "long"});
     EXPECT_EQ(lines(exported.out), 1 + 3 * 2 * 4 * 6)

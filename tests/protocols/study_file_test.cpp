@@ -240,7 +240,7 @@ TEST(StudyFile, WithAValueOutOfRangeIsToldTheRange) {
     EXPECT_EQ(complaint(changed("method = \"shss\"", "method = \"shss\"\nbands = 7")),
               "17: bands in [[condition]] is 7, expected a whole number from 1 to 6");
     EXPECT_EQ(complaint(changed("method = \"shss\"", "method = \"shss\"\ndirections = 24")),
-              "17: directions in [[condition]] is 24, expected at least 25, one for each "
+              "17: directions in [[condition]] is 24, expected at least 50, two for each "
               "coefficient of 5 bands");
     EXPECT_EQ(complaint(minimal + "[session]\nsessions = 0\n"),
               "22: sessions in [session] is 0, expected a whole number from 1 to 100");
