@@ -127,15 +127,26 @@ tl::expected<std::vector<store::VoteRow>, std::string> stored_votes(const Loaded
 }
 
 std::string long_csv(const std::vector<store::VoteRow>& rows) {
+    const bool simulated = std::ranges::any_of(rows, &store::VoteRow::simulated);
     std::string table =
-        "study,observer,session,trial,scene,variant,left,right,chosen,rt_ms,onset_utc,simulated\n";
-    for (const auto& row : rows)
-        table += csv_row({row.study, row.observer.value, fmt::format("{}", row.session),
-                          fmt::format("{}", row.trial), row.pair.scene.value,
-                          row.pair.variant.value, row.pair.left.value, row.pair.right.value,
-                          std::string(store::word_of(row.chosen)),
-                          fmt::format("{}", row.response_time.count()), row.onset_utc,
-                          row.simulated ? "1" : "0"});
+        "study,observer,session,trial,scene,variant,left,right,chosen,rt_ms,onset_utc";
+    table += simulated ? ",simulated\n" : "\n";
+    for (const auto& row : rows) {
+        std::vector<std::string> fields{row.study,
+                                        row.observer.value,
+                                        fmt::format("{}", row.session),
+                                        fmt::format("{}", row.trial),
+                                        row.pair.scene.value,
+                                        row.pair.variant.value,
+                                        row.pair.left.value,
+                                        row.pair.right.value,
+                                        std::string(store::word_of(row.chosen)),
+                                        fmt::format("{}", row.response_time.count()),
+                                        row.onset_utc};
+        if (simulated)
+            fields.emplace_back(row.simulated ? "1" : "0");
+        table += csv_row(fields);
+    }
     return table;
 }
 

@@ -35,7 +35,8 @@ open_whole_votes(const StudyFolder& folder);
 /// Every main vote of a study, in the order of the store.
 tl::expected<std::vector<store::VoteRow>, std::string> stored_votes(const LoadedStudy& loaded);
 
-/// `study,observer,session,trial,scene,variant,left,right,chosen,rt_ms,onset_utc,simulated`
+/// `study,observer,session,trial,scene,variant,left,right,chosen,rt_ms,onset_utc`, and, as soon as
+/// any vote is simulated, `simulated` (0 or 1) behind them.
 std::string long_csv(const std::vector<store::VoteRow>& rows);
 
 } // namespace experiment
