@@ -17,8 +17,6 @@ struct StudyFolder {
 
     std::filesystem::path votes() const { return root / "votes.sqlite"; }
 
-    std::filesystem::path exports() const { return root / "export"; }
-
     std::filesystem::path report() const { return root / "report"; }
 };
 
