@@ -25,7 +25,7 @@ tl::expected<stimuli::ModelRecord, std::string> record_of(const geometry::Model&
     if (!bytes)
         return tl::unexpected(bytes.error());
     return stimuli::ModelRecord{.file = file.filename().string(),
-                                .sha256 = protocols::hexadecimal(protocols::sha256(*bytes))};
+                                .sha256 = protocols::sha256_hexadecimal(*bytes)};
 }
 
 } // namespace

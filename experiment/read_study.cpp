@@ -43,7 +43,7 @@ tl::expected<LoadedStudy, std::string> read_study(const fs::path& path) {
     auto study = protocols::parse_study(*text, folder.study_file().string(), known_names());
     if (!study)
         return tl::unexpected(study.error());
-    return LoadedStudy{folder, std::move(*study), protocols::hexadecimal(protocols::sha256(*text))};
+    return LoadedStudy{folder, std::move(*study), protocols::sha256_hexadecimal(*text)};
 }
 
 tl::expected<std::string, std::string> read_instructions(const LoadedStudy& loaded) {

@@ -19,10 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string digest(const std::string& text) {
-    return protocols::hexadecimal(protocols::sha256(text));
-}
-
 analysis::VoteRow for_analysis(const store::VoteRow& row, bool with_variants) {
     analysis::VoteRow vote{.observer = row.observer.value,
                            .session = fmt::format("{}", row.session),
@@ -69,8 +65,8 @@ tl::expected<VoteSource, std::string> from_study(const fs::path& path) {
     }
     if (const auto changed = changed_study(*loaded); !changed.empty())
         table.notes.push_back(changed);
-    return VoteSource{std::move(table), loaded->study.title, digest(long_csv(*rows)),
-                      std::move(*loaded)};
+    return VoteSource{std::move(table), loaded->study.title,
+                      protocols::sha256_hexadecimal(long_csv(*rows)), std::move(*loaded)};
 }
 
 tl::expected<VoteSource, std::string> from_table(const fs::path& path) {
@@ -82,7 +78,8 @@ tl::expected<VoteSource, std::string> from_table(const fs::path& path) {
         return tl::unexpected(table.error());
     if (table->size() == 0)
         return tl::unexpected(fmt::format("{}: has no votes", path.string()));
-    return VoteSource{std::move(*table), path.filename().string(), digest(*text), std::nullopt};
+    return VoteSource{std::move(*table), path.filename().string(),
+                      protocols::sha256_hexadecimal(*text), std::nullopt};
 }
 
 } // namespace

@@ -30,4 +30,8 @@ std::string hexadecimal(std::span<const std::uint8_t> bytes) {
     return text;
 }
 
+std::string sha256_hexadecimal(std::string_view text) {
+    return hexadecimal(sha256(text));
+}
+
 } // namespace protocols

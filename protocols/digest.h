@@ -19,4 +19,7 @@ Digest sha256(std::string_view text);
 /// Two lower-case hexadecimal digits a byte.
 std::string hexadecimal(std::span<const std::uint8_t> bytes);
 
+/// SHA-256 of a text or of a file's bytes, as 64 hexadecimal digits.
+std::string sha256_hexadecimal(std::string_view text);
+
 } // namespace protocols

@@ -40,7 +40,7 @@ Expected<void> check_rendered(const LoadedStudy& loaded,
     const auto bytes = read_text_file(file);
     if (!bytes)
         return tl::unexpected(bytes.error());
-    if (protocols::hexadecimal(protocols::sha256(*bytes)) != record.png_sha256)
+    if (protocols::sha256_hexadecimal(*bytes) != record.png_sha256)
         return refuse("is not the file that was rendered");
     return {};
 }

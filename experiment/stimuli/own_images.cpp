@@ -35,7 +35,7 @@ tl::expected<PictureRecord, std::string> inspect_own_image(const LoadedStudy& lo
     record.renderer = "own image";
     record.width = image.width;
     record.height = image.height;
-    record.png_sha256 = protocols::hexadecimal(protocols::sha256(*bytes));
+    record.png_sha256 = protocols::sha256_hexadecimal(*bytes);
     if (!read->colour_remark.empty())
         record.remark = read->colour_remark + "; shown as if it were sRGB";
     return record;

@@ -53,7 +53,7 @@ std::string recipe(const protocols::Study& study,
                         variant.to_light[2]);
     for (const auto& condition : study.conditions)
         text += described(condition);
-    return protocols::hexadecimal(protocols::sha256(text));
+    return protocols::sha256_hexadecimal(text);
 }
 
 } // namespace experiment::stimuli

@@ -41,7 +41,7 @@ bool is_rendered(const Condition& condition) {
 /// Whether `file` still holds the bytes that were written.
 bool unchanged(const fs::path& file, const std::string& sha256) {
     const auto bytes = read_text_file(file);
-    return bytes && protocols::hexadecimal(protocols::sha256(*bytes)) == sha256;
+    return bytes && protocols::sha256_hexadecimal(*bytes) == sha256;
 }
 
 /// One run of `render`: what it works on and what it has done so far.

@@ -247,7 +247,7 @@ Expected<std::map<Picture, PictureRecord>> SceneRenderer::render(const protocols
         const auto bytes = read_text_file(png);
         if (!bytes)
             return tl::unexpected(bytes.error());
-        record.png_sha256 = protocols::hexadecimal(protocols::sha256(*bytes));
+        record.png_sha256 = protocols::sha256_hexadecimal(*bytes);
         record.brightness = {match.mean_before, match.target, match.gain, match.clipped_share};
         records.emplace(picture, std::move(record));
     }

@@ -37,7 +37,7 @@ std::string row_digest(const std::string& predecessor, const ChainedRow& row) {
     std::string text = canonical(predecessor) + canonical(row.table) + canonical(row.seq);
     for (const auto& value : row.values)
         text += canonical(value);
-    return protocols::hexadecimal(protocols::sha256(text));
+    return protocols::sha256_hexadecimal(text);
 }
 
 std::vector<std::string> chain_findings(const std::vector<ChainedRow>& rows,

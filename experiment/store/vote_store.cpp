@@ -22,7 +22,7 @@ std::string plan_digest(std::span<const protocols::PlannedTrial> plan) {
     for (const auto& [number, phase, trial] : plan)
         text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", number, word_of(phase), trial.scene.value,
                             trial.variant.value, trial.left.value, trial.right.value);
-    return protocols::hexadecimal(protocols::sha256(text));
+    return protocols::sha256_hexadecimal(text);
 }
 
 } // namespace experiment::store

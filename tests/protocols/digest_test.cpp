@@ -16,6 +16,10 @@ TEST(Sha256, GivesThePublishedDigests) {
               "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
+TEST(Sha256, OfATextIsWrittenInHexadecimalDigits) {
+    EXPECT_EQ(sha256_hexadecimal("abc"), hexadecimal(sha256("abc")));
+}
+
 TEST(Sha256, ReadsPastAZeroByte) {
     using namespace std::string_view_literals;
     EXPECT_NE(sha256("a\0b"sv), sha256("a\0c"sv));
