@@ -27,6 +27,7 @@ void add_display(CLI::App& program);
 void add_timing_check(CLI::App& program);
 void add_photometer(CLI::App& program);
 void add_pages(CLI::App& program);
+void add_import(CLI::App& program);
 
 /// Writes a new study of the named template into `path`, its pages in "en" or "de".  Errors:
 /// CommandError when there is a study already.
