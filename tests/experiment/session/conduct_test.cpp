@@ -271,7 +271,7 @@ TEST_F(Conduct, IsNotMovedByAClockThatIsSetBack) {
     ASSERT_TRUE(simulate(simulated("S1"), *expected));
     const auto store = open();
     VirtualClock within(morning);
-    const ClockSetBack clock(within, std::chrono::seconds(120));
+    const ClockSetBack clock(within, std::chrono::seconds(100)); // in the adaptation
     SimulatedScreen screen(observer_, "glow", {"S1"}, 1, within);
     ASSERT_TRUE(conduct(simulated("S1"), *store, screen, clock));
     const auto votes = *store->votes();

@@ -63,26 +63,30 @@ ScriptedSitting::ScriptedSitting(SittingScript script, Progress progress, long l
     look(0);
 }
 
+Monotonic ScriptedSitting::true_time(long long ms) const {
+    return milliseconds(ms + settling_ms_);
+}
+
 void ScriptedSitting::feed(long long ms, decltype(Input::what) what) {
-    const auto effects = sitting_.advance({milliseconds(ms), std::move(what)});
+    come_of(ms, sitting_.advance({true_time(ms), std::move(what)}));
+}
+
+void ScriptedSitting::come_of(long long ms, const std::vector<Effect>& effects) {
     write(ms, effects);
     for (const auto& effect : effects)
         if (std::holds_alternative<MainVote>(effect))
-            write(ms, sitting_.advance({milliseconds(ms), VoteStored{}}));
+            write(ms, sitting_.advance({true_time(ms), VoteStored{}}));
     look(ms);
 }
 
-// The moment in which a second answer could come passes, but is not on the diary's clock.
+// The moment in which a second answer could come passes, but not on the diary's clock.
 void ScriptedSitting::settle(long long ms) {
-    const auto moment = milliseconds(ms) + TrialCourse::one_moment;
-    if (!std::holds_alternative<PairView>(sitting_.view()) || sitting_.wake_at() != moment)
+    const auto moment = true_time(ms) + TrialCourse::one_moment;
+    if (sitting_.wake_at() != moment)
         return;
     const auto effects = sitting_.advance({moment, Waited{}});
-    write(ms, effects);
-    for (const auto& effect : effects)
-        if (std::holds_alternative<MainVote>(effect))
-            write(ms, sitting_.advance({milliseconds(ms), VoteStored{}}));
-    look(ms);
+    settling_ms_ += TrialCourse::one_moment.count();
+    come_of(ms, effects);
 }
 
 void ScriptedSitting::write(long long ms, const std::vector<Effect>& effects) {
@@ -98,7 +102,7 @@ void ScriptedSitting::look(long long ms) {
     diary_.push_back(fmt::format("{} {}", ms, words(sitting_.view())));
     if (std::holds_alternative<PairView>(sitting_.view()))
         write(ms + onset_delay_ms_,
-              sitting_.advance({milliseconds(ms + onset_delay_ms_), OnsetSeen{"scripted"}}));
+              sitting_.advance({true_time(ms + onset_delay_ms_), OnsetSeen{"scripted"}}));
 }
 
 void ScriptedSitting::press(long long ms, Key key, Device device) {

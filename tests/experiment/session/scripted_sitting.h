@@ -50,12 +50,15 @@ class ScriptedSitting {
 
   private:
     void feed(long long ms, decltype(experiment::session::Input::what) what);
+    void come_of(long long ms, const std::vector<experiment::session::Effect>& effects);
     void settle(long long ms);
+    experiment::session::Monotonic true_time(long long ms) const;
     void write(long long ms, const std::vector<experiment::session::Effect>& effects);
     void look(long long ms);
 
     experiment::session::Sitting sitting_;
     long long onset_delay_ms_;
+    long long settling_ms_ = 0; ///< of all answers so far, not on the diary's clock
     int seen_ = 0;
     std::vector<std::string> diary_;
     std::size_t told_ = 0;
