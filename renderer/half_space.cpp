@@ -3,6 +3,7 @@
 #include "renderer/half_space.h"
 
 #include "renderer/contract.h"
+#include "renderer/diffusion/fresnel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,17 +42,9 @@ std::vector<Node> rule(double critical_mu) {
     return nodes;
 }
 
-/// Unpolarised reflectance of the surface for light that meets it from inside.
+/// Share that the surface sends back to light that meets it from inside.
 double mirrored(double mu, double index) {
-    const double sine2_outside = index * index * (1 - mu * mu);
-    if (index == 1)
-        return 0;
-    if (sine2_outside >= 1)
-        return 1;
-    const double outside = std::sqrt(1 - sine2_outside);
-    const double s = (index * mu - outside) / (index * mu + outside);
-    const double p = (mu - index * outside) / (mu + index * outside);
-    return (s * s + p * p) / 2;
+    return diffusion::fresnel_reflectance(mu, 1 / index);
 }
 
 /// sum over the nodes of mu' H(mu') g(mu') / (mu + mu').

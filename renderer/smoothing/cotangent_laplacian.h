@@ -25,9 +25,9 @@ struct CotangentLaplacian {
 
 /// Negative weights (edges whose opposite angles sum to more than 180 degrees) are set to 0: then
 /// smoothed values never leave the range of the values around them.  Intrinsic Delaunay edges would
-/// reach the same and keep linear functions exact on bad triangles, too, but need a manifold, and
-/// scans are not always one; on the scanned models below 2 % of the edges are concerned.
-/// Triangles without area have no angles and count nothing.
+/// reach the same and keep linear functions exact on bad triangles, too, but they need a manifold,
+/// and scans are not always one.  Of scanned models 0.01 % (bunny) to 9 % (a decimated armadillo)
+/// of the edges are concerned. Triangles without area have no angles and count nothing.
 CotangentLaplacian cotangent_laplacian(const geometry::Mesh& mesh);
 
 } // namespace renderer::smoothing

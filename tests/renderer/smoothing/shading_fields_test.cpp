@@ -1,5 +1,7 @@
+#include "renderer/diffusion/dipole.h"
 #include "renderer/geometry/bodies.h"
 #include "renderer/harmonics/basis.h"
+#include "renderer/materials.h"
 #include "renderer/smoothing/shading_fields.h"
 
 #include <glm/geometric.hpp>
@@ -27,6 +29,34 @@ TEST(DiffusionTime, IsAQuarterOfTheMeanSquareRadius) {
 TEST(DiffusionTime, IsCappedAtAnEighthOfTheDiameterSquared) {
     EXPECT_EQ(diffusion_time(1e4, Millimetres{80}), 100);
     EXPECT_EQ(diffusion_time(std::numeric_limits<double>::infinity(), Millimetres{80}), 100);
+}
+
+/// int_0^inf r^power R_d(r) dr by the double-exponential rule r = exp(pi/2 sinh u).
+double moment(const diffusion::Dipole& dipole, int power) {
+    double sum = 0;
+    constexpr double step = 1.0 / 64;
+    for (double u = -4; u <= 4; u += step) {
+        const double r = std::exp(pi / 2 * std::sinh(u));
+        sum += step * pi / 2 * std::cosh(u) * std::pow(r, power + 1) *
+               diffusion::diffuse_reflectance(dipole, r);
+    }
+    return sum;
+}
+
+// The closed form of <r^2> against quadrature of the kernel, for every channel that absorbs.
+TEST(DiffusionTime, OfTheMeasuredMaterialsIsThatOfTheirKernels) {
+    int checked = 0;
+    for (const auto& name : measured_names())
+        for (const auto& dipole : diffusion::dipoles(measured_medium(name).value())) {
+            if (dipole.sigma_tr == 0)
+                continue;
+            const double r2 = moment(dipole, 3) / moment(dipole, 1);
+            const double t =
+                diffusion_time(diffusion::mean_square_radius(dipole), Millimetres{1e6});
+            EXPECT_NEAR(4 * t / r2, 1, 1e-13) << name;
+            ++checked;
+        }
+    EXPECT_EQ(checked, 33);
 }
 
 // On a sphere the normal is an eigenvector: only its length changes, and that is made 1 again.
