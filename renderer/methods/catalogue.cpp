@@ -17,11 +17,7 @@ namespace renderer::methods {
 
 std::span<const Description> catalogue() {
     static const std::array all{
-        describe_shss(),
-        describe_green(),
-        describe_patro(),
-        describe_constant(),
-        describe_phong(),
+        describe_shss(), describe_green(), describe_patro(), describe_constant(), describe_phong(),
     };
     return all;
 }
