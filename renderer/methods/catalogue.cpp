@@ -4,6 +4,7 @@
 #include "renderer/contract.h"
 #include "renderer/methods/constant.h"
 #include "renderer/methods/green.h"
+#include "renderer/methods/patro.h"
 #include "renderer/methods/phong.h"
 #include "renderer/methods/shss.h"
 
@@ -16,10 +17,7 @@ namespace renderer::methods {
 
 std::span<const Description> catalogue() {
     static const std::array all{
-        describe_shss(),
-        describe_green(),
-        describe_constant(),
-        describe_phong(),
+        describe_shss(), describe_green(), describe_patro(), describe_constant(), describe_phong(),
     };
     return all;
 }
