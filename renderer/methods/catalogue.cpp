@@ -4,7 +4,9 @@
 #include "renderer/contract.h"
 #include "renderer/methods/constant.h"
 #include "renderer/methods/green.h"
+#include "renderer/methods/jensen.h"
 #include "renderer/methods/phong.h"
+#include "renderer/methods/prt.h"
 #include "renderer/methods/shss.h"
 
 #include <fmt/format.h>
@@ -18,6 +20,8 @@ std::span<const Description> catalogue() {
     static const std::array all{
         describe_shss(),
         describe_green(),
+        describe_prt(),
+        describe_jensen(),
         describe_constant(),
         describe_phong(),
     };
