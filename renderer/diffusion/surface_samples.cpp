@@ -26,7 +26,8 @@ constexpr double radius_per_spacing = 0.65;
 constexpr double area_per_squared_radius = 1.44;
 
 // Candidates are cells no longer than this part of the radius: about fifteen to a sample, so that
-// areas and centroids are right to a few per cent.  Half as long, they take a seventh off the error.
+// areas and centroids are right to a few per cent.  Half as long, they take a seventh off the
+// error.
 constexpr double cell_per_radius = 0.5;
 
 // Cosine between triangles above which they belong to one sheet: below it lie the sides of an edge
