@@ -18,8 +18,12 @@ namespace renderer::methods {
 
 std::span<const Description> catalogue() {
     static const std::array all{
-        describe_shss(),   describe_green(),    describe_prt(),
-        describe_jensen(), describe_constant(), describe_phong(),
+        describe_shss(),
+        describe_green(),
+        describe_prt(),
+        describe_jensen(),
+        describe_constant(),
+        describe_phong(),
     };
     return all;
 }
