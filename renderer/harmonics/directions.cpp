@@ -3,6 +3,7 @@
 
 #include "renderer/contract.h"
 #include "renderer/harmonics/gauss_legendre.h"
+#include "renderer/splitmix.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -14,19 +15,6 @@ namespace renderer::harmonics {
 namespace {
 
 using std::numbers::pi;
-
-/// The state moves on by the golden gamma; the result is its avalanche.  [SplitMix]
-std::uint64_t splitmix64(std::uint64_t& state) {
-    std::uint64_t z = state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-/// Uniform in [0, 1), 53 bits.
-double uniform(std::uint64_t& state) {
-    return static_cast<double>(splitmix64(state) >> 11) * 0x1p-53;
-}
 
 /// Uniform over all rotations: a uniform point on the unit 3-sphere.  [Shoemake1992]
 glm::dquat random_rotation(std::uint64_t seed) {

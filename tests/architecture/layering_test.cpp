@@ -73,6 +73,7 @@ TEST(Layering, EachOutsideLibraryHasOneDoor) {
         {"boost/multiprecision", "protocols/"},
         {"Eigen/", "analysis/"},
         {"Eigen/", "renderer/smoothing/"},
+        {"Eigen/", "renderer/transfer/"},
         {"boost/math", "analysis/numerics/"},
         {"sqlite3.h", "experiment/store/"},
         {"GLFW/", "experiment/session/"},
