@@ -78,7 +78,18 @@ void follow(RTCScene scene, Collector& collector, std::span<RTCRay> rays) {
 #endif
 }
 
-RTCRay ray_of(glm::vec3 origin, glm::vec3 direction, float nearest, std::size_t id) {
+/// Stops at the first hit; afterwards `tfar` of a ray that met one is minus infinity.
+void occluded_without_filter(RTCScene scene, RTCRay& ray) {
+#if RTC_VERSION_MAJOR < 4
+    QueryContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &ray);
+#else
+    rtcOccluded1(scene, &ray, nullptr);
+#endif
+}
+
+RTCRay endless_ray(glm::vec3 origin, glm::vec3 direction, float nearest, std::size_t id = 0) {
     RTCRay ray{};
     ray.org_x = origin.x;
     ray.org_y = origin.y;
@@ -194,7 +205,7 @@ void RayScene::all_hits(glm::vec3 origin,
                         float nearest,
                         std::vector<Hit>& hits) const {
     hits.clear();
-    RTCRay ray = ray_of(origin, direction, nearest, 0);
+    RTCRay ray = endless_ray(origin, direction, nearest);
     Collector collector{{}, &hits, triangles_.data()};
     follow(handles_->scene, collector, std::span(&ray, 1));
 }
@@ -207,10 +218,16 @@ void RayScene::all_hits(std::span<const glm::vec3> origins,
     std::array<RTCRay, bundle_size> rays;
     for (std::size_t i = 0; i < origins.size(); ++i) {
         hits[i].clear();
-        rays[i] = ray_of(origins[i], direction, nearest, i);
+        rays[i] = endless_ray(origins[i], direction, nearest, i);
     }
     Collector collector{{}, hits.data(), triangles_.data()};
     follow(handles_->scene, collector, std::span(rays).first(origins.size()));
+}
+
+bool RayScene::is_occluded(glm::vec3 origin, glm::vec3 direction, float nearest) const {
+    RTCRay ray = endless_ray(origin, direction, nearest);
+    occluded_without_filter(handles_->scene, ray);
+    return ray.tfar < 0;
 }
 
 } // namespace renderer::geometry
