@@ -19,6 +19,7 @@ void add_analyze(CLI::App& program);
 void add_report(CLI::App& program);
 void add_schedule(CLI::App& program);
 void add_thickness(CLI::App& program);
+void add_methods(CLI::App& program);
 void add_demo(CLI::App& program);
 void add_register(CLI::App& program);
 void add_observers(CLI::App& program);
