@@ -199,6 +199,10 @@ void run_pages(const Options& options) {
     window.setting_up = true;
     const auto screen = value_or_stop(session::open_window(
         window, load_unchanged(loaded, value_or_stop(stimulus_digests(loaded))), clock));
+    std::error_code failed;
+    fs::create_directories(options.folder, failed);
+    if (failed)
+        throw CommandError(fmt::format("{}: cannot be made: {}", options.folder, failed.message()));
     for (const auto& [name, view] : all_views(loaded, screen->facts())) {
         value_or_stop(screen->show(view));
         write_photograph(fs::path(options.folder) / (name + ".png"), screen->photograph());

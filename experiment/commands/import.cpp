@@ -104,9 +104,13 @@ void run(const Options& options) {
                 pictures.emplace_back(picture, std::move(imported));
             }
     // Only now that all of them can be taken is anything written.
-    for (const auto& [picture, imported] : pictures)
-        value_or_stop(imaging::write_png(stimuli::png_file(loaded.folder, picture), imported.image,
-                                         {{"pairlight:import", imported.how}}));
+    for (const auto& [picture, imported] : pictures) {
+        const auto file = stimuli::png_file(loaded.folder, picture);
+        std::error_code failed; // writing says what is wrong with the folder
+        fs::create_directories(file.parent_path(), failed);
+        value_or_stop(
+            imaging::write_png(file, imported.image, {{"pairlight:import", imported.how}}));
+    }
     value_or_stop(write_text_file(loaded.folder.stimuli() / "imported.tsv", record));
     fmt::print("{}: {} pictures\n", (loaded.folder.stimuli() / "imported.tsv").string(),
                pictures.size());

@@ -146,7 +146,7 @@ protocols::Expected<void> PageDrawing::draw(const PageView& page) {
         static_cast<float>(page.patches.empty() ? 1.0 : page.patches.front().top) *
         static_cast<float>(height_);
     const auto lines = lines_of(page.text);
-    float em = 0, column = 0, total = 0, bottom = 0;
+    float em = 0, column = 0, total = 0, bottom = 0, keys = 0;
     for (double scale = style_.scale; scale > 0.2; scale *= 0.9) {
         if (auto made = make_letters(page, scale); !made)
             return made;
@@ -156,14 +156,16 @@ protocols::Expected<void> PageDrawing::draw(const PageView& page) {
         for (const auto& line : lines)
             total += height_of(line, column);
         // The keys lie below the text.
-        bottom = page.patches.empty() ? static_cast<float>(height_) - 2.5f * em : text_height;
+        keys = height_of({page.keys}, column);
+        bottom =
+            page.patches.empty() ? static_cast<float>(height_) - keys - 1.5f * em : text_height;
         if (total + em <= bottom)
             break;
     }
     begin_frame();
     const float left = std::floor((width - column) / 2);
     float top = std::floor(std::max(0.5f * em, (bottom - total) / 2));
-    const float keys_top = std::floor(static_cast<float>(height_) - 2.0f * em);
+    const float keys_top = std::floor(static_cast<float>(height_) - keys - em);
     const auto field = [&](float from, float to) {
         if (style_.high_contrast)
             ImGui::GetBackgroundDrawList()->AddRectFilled(
@@ -171,7 +173,7 @@ protocols::Expected<void> PageDrawing::draw(const PageView& page) {
                 white);
     };
     field(top, top + total);
-    field(keys_top, keys_top + em);
+    field(keys_top, keys_top + keys);
     for (const auto& line : lines) {
         draw_line(line, {left, std::floor(top)}, column, style_.high_contrast ? black : ink);
         top += height_of(line, column);

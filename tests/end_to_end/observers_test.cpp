@@ -68,7 +68,7 @@ TEST_F(Observers, SeeConformityLineByLine) {
     const auto checked = program({"check"});
     EXPECT_EQ(checked.status, 0) << checked.err;
     EXPECT_THAT(checked.out, HasSubstr("ITU-R BT.500:"));
-    EXPECT_THAT(checked.out, HasSubstr("NOT MET                         visual acuity"));
+    EXPECT_THAT(checked.out, HasSubstr("NOT MET                         colour vision tested"));
     EXPECT_THAT(checked.out, HasSubstr("only the experimenter can know"));
 }
 

@@ -37,7 +37,9 @@ TEST(Photometer, SeesThatACurveIsNoGamma) {
     for (const int code : photometer_codes())
         csv +=
             fmt::format("{},{}\n", code, code <= 128 ? 0.1 + code * 0.5 : 64.1 + (code - 128) * 2);
-    EXPECT_GT(fit_gamma(*parse_photometer(csv, "c.csv")).worst_residual, 0.05);
+    const auto steps = parse_photometer(csv, "c.csv");
+    ASSERT_TRUE(steps) << steps.error();
+    EXPECT_GT(fit_gamma(*steps).worst_residual, 0.05);
 }
 
 TEST(Photometer, TakesTheGreysOfATableOfColours) {
@@ -53,7 +55,8 @@ TEST(Photometer, TakesTheGreysOfATableOfColours) {
 
 TEST(Photometer, SaysWhatIsWrongWithMeasurements) {
     const auto error = [](const std::string& csv) {
-        return parse_photometer(csv, "c.csv").error();
+        const auto steps = parse_photometer(csv, "c.csv");
+        return steps ? std::string("it was read") : steps.error();
     };
     const auto whole = measured(0.2, 120, 2.2);
     EXPECT_THAT(error("grey,light\n"), HasSubstr("c.csv:1: columns \"grey,light\""));

@@ -68,7 +68,7 @@ TEST(SessionTables, FindTheGreyByTheCurveOfTheDisplay) {
     EXPECT_EQ(parsed("[display]\nsurround = \"linear:0.5\"\neotf = \"gamma:2.2\"\n")->surround.code,
               186);
     EXPECT_EQ(parsed("[display]\neotf = \"table:cal.csv\"\n")->display.eotf.file, "cal.csv");
-    EXPECT_THAT(parsed("[display]\neotf = \"gamma:9\"\n").error(), HasSubstr("study.toml:18"));
+    EXPECT_THAT(parsed("[display]\neotf = \"gamma:9\"\n").error(), HasSubstr("study.toml:20"));
     EXPECT_THAT(parsed("[display]\neotf = \"table:../x\"\n").error(), HasSubstr("\"table:FILE\""));
     EXPECT_THAT(parsed("[display]\nsurround = \"grey\"\n").error(), HasSubstr("code:0"));
 }

@@ -214,7 +214,7 @@ TEST_F(Conduct, LosesAndInventsNoVoteWhereverThePowerFails) {
     const auto whole = open("whole.sqlite");
     tests::FailingStore counting(*whole, 1000);
     ASSERT_TRUE(simulate(simulated("S1"), counting));
-    ASSERT_GT(counting.writes(), 20);
+    ASSERT_GE(counting.writes(), 19); // every kind of row there is in a sitting
     const auto expected = *whole->votes();
     for (int good = 0; good < counting.writes(); ++good) {
         const auto name = "cut" + std::to_string(good);
@@ -348,7 +348,9 @@ TEST_F(Conduct, KeepsGradesBesideVotes) {
     VirtualClock clock(morning);
     SimulatedScreen screen(observer_, "glow", {"S1"}, 1, clock, protocols::Response::SevenGrades);
     ASSERT_TRUE(conduct(request, *store, screen, clock));
-    for (const auto& row : *store->votes()) {
+    const auto votes = *store->votes();
+    ASSERT_THAT(votes, SizeIs(3));
+    for (const auto& row : votes) {
         ASSERT_TRUE(row.grade.has_value());
         EXPECT_EQ(row.chosen, *row.grade < 0   ? protocols::Choice::Left
                               : *row.grade > 0 ? protocols::Choice::Right

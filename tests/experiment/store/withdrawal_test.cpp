@@ -95,7 +95,8 @@ TEST_F(Withdrawal, RemovesEverythingOfOneObserverAndNothingElse) {
     // three votes with a grade and two frames each, an event, an end.
     EXPECT_EQ(tombstone->rows, 1 + 2 + 1 + 5 + 5 + 2 + 3 * 4 + 1 + 1);
     EXPECT_THAT(*store_->votes(), SizeIs(votes.size() - 3));
-    for (const auto& vote : *store_->votes())
+    const auto left = *store_->votes();
+    for (const auto& vote : left)
         EXPECT_NE(vote.observer.value, "LEAVES");
     EXPECT_THAT(*store_->observers(), SizeIs(2));
     EXPECT_EQ(*store_->sitting(tests::sitting_of("LEAVES")), std::nullopt);
