@@ -2,9 +2,11 @@
 #include "renderer/methods/catalogue.h"
 
 #include "renderer/contract.h"
+#include "renderer/methods/barre_brisebois.h"
 #include "renderer/methods/constant.h"
 #include "renderer/methods/green.h"
 #include "renderer/methods/phong.h"
+#include "renderer/methods/separable.h"
 #include "renderer/methods/shss.h"
 
 #include <fmt/format.h>
@@ -16,10 +18,9 @@ namespace renderer::methods {
 
 std::span<const Description> catalogue() {
     static const std::array all{
-        describe_shss(),
-        describe_green(),
-        describe_constant(),
-        describe_phong(),
+        describe_shss(),       describe_green(),           describe_green_blur(),
+        describe_green_peel(), describe_barre_brisebois(), describe_separable(),
+        describe_constant(),   describe_phong(),
     };
     return all;
 }
