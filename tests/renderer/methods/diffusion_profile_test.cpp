@@ -82,8 +82,9 @@ TEST(DiffusionTaps, ShareAllLightInEveryChannel) {
             const auto& opposite = taps[taps.size() - 1 - i];
             EXPECT_EQ(taps[i].offset, -opposite.offset);
             EXPECT_EQ(taps[i].weight, opposite.weight);
-            if (i > 0)
+            if (i > 0) {
                 EXPECT_GT(taps[i].offset, taps[i - 1].offset);
+            }
             for (int c = 0; c < 3; ++c)
                 EXPECT_GE(taps[i].weight[c], 0);
             sum += taps[i].weight;

@@ -228,8 +228,9 @@ TEST_F(GreenAtARim, JumpsByTheDepthStep) {
     for (int column = 14; column < size - 14; ++column) {
         const auto i = static_cast<std::size_t>(column);
         const double x = x_of(column), rim = width / 2 * mm;
-        if (std::abs(std::abs(x) - rim) > texel)
+        if (std::abs(std::abs(x) - rim) > texel) {
             EXPECT_NEAR(s[i], (std::abs(x) < rim ? 2 * t + gap : t) * mm, 1e-4) << x;
+        }
         largest_jump = std::max(largest_jump, std::abs(s[i + 1] - s[i]));
     }
     EXPECT_NEAR(largest_jump, (t + gap) * mm, 2e-4);

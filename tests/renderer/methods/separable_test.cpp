@@ -191,8 +191,9 @@ TEST_F(Separable, CoversWhatEveryMethodCovers) {
     const auto separable = picture(ring, SeparableSettings{}, scene, size, 16);
     EXPECT_EQ(separable.coverage, phong.coverage);
     for (std::size_t i = 0; i < phong.coverage.size(); ++i)
-        if (phong.coverage[i] == 0)
+        if (phong.coverage[i] == 0) {
             EXPECT_EQ(separable.pixels[i], LinearRgb{}) << i;
+        }
 }
 
 // Half of a larger frame buffer, as split views are drawn.
