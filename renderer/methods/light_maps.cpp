@@ -95,11 +95,12 @@ Views views_of(const Scene& scene, const Sphere& body) {
     return views;
 }
 
-Expected<gpu::Program> link_pass() {
-    const gpu::ShaderPart views{"light_views.glsl", light_views_glsl},
+Expected<gpu::Program> link_pass(std::string_view defines) {
+    const gpu::ShaderPart head{"defines", defines}, views{"light_views.glsl", light_views_glsl},
         pass{"light_pass.glsl", light_pass_glsl};
-    const std::array vertex{views, pass, gpu::ShaderPart{"light_pass.vert", light_pass_vert}};
-    const std::array fragment{views, pass, gpu::ShaderPart{"light_pass.frag", light_pass_frag}};
+    const std::array vertex{head, views, pass, gpu::ShaderPart{"light_pass.vert", light_pass_vert}};
+    const std::array fragment{head, views, pass,
+                              gpu::ShaderPart{"light_pass.frag", light_pass_frag}};
     return gpu::Program::link(vertex, fragment);
 }
 
@@ -113,24 +114,29 @@ Dial depth_map_dial() {
 }
 
 LightMaps::LightMaps(std::shared_ptr<const Surface> surface,
+                     gpu::Program linear_pass,
                      gpu::Program pass,
                      gpu::LayeredMap first,
                      int layers)
-    : surface_(std::move(surface)), pass_(std::move(pass)), vertex_array_(surface_->vertex_array()),
-      pass_block_(sizeof(PassBlock)), views_(sizeof(Views)), resolution_(first.resolution()),
-      layers_(layers) {
+    : surface_(std::move(surface)), linear_pass_(std::move(linear_pass)), pass_(std::move(pass)),
+      vertex_array_(surface_->vertex_array()), pass_block_(sizeof(PassBlock)),
+      views_(sizeof(Views)), resolution_(first.resolution()), layers_(layers) {
     maps_.push_back(std::move(first));
 }
 
 Expected<LightMaps>
 LightMaps::prepare(std::shared_ptr<const Surface> surface, int resolution, int layers) {
-    auto pass = link_pass();
+    auto linear_pass = link_pass("#define LINEAR");
+    if (!linear_pass)
+        return tl::make_unexpected(linear_pass.error());
+    auto pass = link_pass("");
     if (!pass)
         return tl::make_unexpected(pass.error());
     auto first = gpu::LayeredMap::create(resolution, layers, gpu::LayeredMap::Reading::Nearest);
     if (!first)
         return tl::make_unexpected(first.error());
-    return LightMaps(std::move(surface), std::move(*pass), std::move(*first), layers);
+    return LightMaps(std::move(surface), std::move(*linear_pass), std::move(*pass),
+                     std::move(*first), layers);
 }
 
 Expected<void> LightMaps::make_room(const Scene& scene) {
@@ -164,6 +170,8 @@ Expected<void> LightMaps::fill(const Scene& scene) {
 void LightMaps::draw(const Scene& scene, int light) {
     const auto& map = maps_[static_cast<std::size_t>(light)];
     const bool mirrored = glm::determinant(glm::dmat3(scene.placement.world_from_model)) < 0;
+    // Peeling compares what the fragments say, so they have to decide what is nearest, too.
+    const bool linear = layers_ == 1 && !is_near(scene.lights[static_cast<std::size_t>(light)]);
     map.bind_texture(0);
     views_.bind_uniform_block(1);
     for (int layer = 0; layer < map.layers(); ++layer) {
@@ -176,7 +184,7 @@ void LightMaps::draw(const Scene& scene, int light) {
                       .peeling = layer % layers_ == 0 ? 0 : 1,
                       .mirrored = mirrored ? 1 : 0});
         pass_block_.bind_uniform_block(0);
-        pass_.use();
+        (linear ? linear_pass_ : pass_).use();
         vertex_array_.draw();
     }
 }

@@ -58,6 +58,7 @@ class LightMaps {
 
   private:
     LightMaps(std::shared_ptr<const Surface> surface,
+              gpu::Program linear_pass,
               gpu::Program pass,
               gpu::LayeredMap first,
               int layers);
@@ -66,7 +67,8 @@ class LightMaps {
     void draw(const Scene& scene, int light);
 
     std::shared_ptr<const Surface> surface_;
-    gpu::Program pass_;
+    gpu::Program linear_pass_; ///< depths from the vertices: faster
+    gpu::Program pass_;        ///< depths from the fragments
     gpu::VertexArray vertex_array_;
     gpu::Buffer pass_block_;
     gpu::Buffer views_;

@@ -13,6 +13,8 @@ void main() {
         if (before == 0.0 || depth <= before)
             discard;
     }
+#ifndef LINEAR
     gl_FragDepth = depth / view[pass.light].extent.x;
+#endif
     signed_depth = gl_FrontFacing == (pass.mirrored == 0) ? depth : -depth;
 }

@@ -32,7 +32,7 @@ int facing(int i, vec3 place) {
 }
 
 // Clip space of one face, x right and y up as the light sees them: what goes into the material
-// faces it.  Depth is left to the fragments, as a distance is not linear over a face.
+// faces it.  Without depth: a distance from near is not linear over a face.
 vec4 clip_from_world(int i, int face, vec3 place) {
     vec3 way = place - view[i].origin.xyz;
     if (!is_near(i))

@@ -51,7 +51,7 @@ TEST_F(BarreBrisebois, IsItsLobeTimesTheLawOfTheLocalThickness) {
                 const double along =
                     std::clamp(glm::dot(V, -(L + N * settings.distortion)), 0.0, 1.0);
                 const double passed = 1 - (4.0 / 3) / 2;
-                // Thickness to 2e-3 of the radius (LocalThickness), half of it under D_n = 2, times
+                // Thickness to 0.0026 of the radius (LocalThickness), half of it under D_n = 2, times
                 // a lobe below 1; interpolated normals and floats are below that.
                 EXPECT_NEAR(pixel(image, column, row).g,
                             (std::pow(along, settings.power) * settings.scale + settings.ambient) *
