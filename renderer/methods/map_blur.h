@@ -26,9 +26,6 @@ class MapBlur {
     /// read smoothly.
     void bind(std::size_t lights) const;
 
-    /// The blurred map of a light.
-    const gpu::LayeredMap& of_light(std::size_t light) const { return blurred_[light]; }
-
   private:
     MapBlur(gpu::ScreenPass rows, gpu::ScreenPass columns);
 
