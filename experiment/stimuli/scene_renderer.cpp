@@ -1,13 +1,13 @@
 // Every method is made from one subject, which hands out thickness fields that are traced once.
 #include "experiment/stimuli/scene_renderer.h"
 
+#include "experiment/materials.h"
 #include "experiment/stimuli/recipe.h"
 #include "experiment/text_files.h"
 #include "protocols/digest.h"
 #include "renderer/camera.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/image_files.h"
-#include "renderer/materials.h"
 #include "renderer/methods/catalogue.h"
 #include "renderer/methods/picture.h"
 
@@ -132,7 +132,7 @@ Expected<SceneRenderer> SceneRenderer::prepare(const protocols::Study& study,
                                                int samples,
                                                const std::function<void(double)>& progress) {
     SceneRenderer scene_renderer(study, scene, std::move(model), samples);
-    const auto material = renderer::measured_material(scene.material);
+    const auto material = material_of(study, scene);
     if (!material)
         return tl::unexpected(fmt::format("no material \"{}\"", scene.material));
     scene_renderer.material_ = *material;
@@ -172,10 +172,11 @@ renderer::Scene SceneRenderer::seen() const {
     const auto& up = scene_->up;
     const renderer::Turntable turntable{
         scene_->turn_degrees, scene_->elevation_degrees, {up[0], up[1], up[2]}};
-    const renderer::Millimetres diameter{scene_->diameter_mm};
+    const auto sphere = renderer::geometry::bounding_sphere(model_.mesh);
+    const renderer::Millimetres diameter{
+        scene_->mm_per_unit ? 2 * sphere.radius * *scene_->mm_per_unit : scene_->diameter_mm};
     renderer::Scene scene;
-    scene.placement =
-        renderer::place(renderer::geometry::bounding_sphere(model_.mesh), diameter, turntable);
+    scene.placement = renderer::place(sphere, diameter, turntable);
     scene.camera =
         renderer::frame(diameter, turntable, static_cast<double>(study_->width) / study_->height);
     scene.material = material_;

@@ -5,7 +5,10 @@
 #include "renderer/methods/barre_brisebois.h"
 #include "renderer/methods/constant.h"
 #include "renderer/methods/green.h"
+#include "renderer/methods/jensen.h"
+#include "renderer/methods/patro.h"
 #include "renderer/methods/phong.h"
+#include "renderer/methods/prt.h"
 #include "renderer/methods/separable.h"
 #include "renderer/methods/shss.h"
 
@@ -18,9 +21,19 @@ namespace renderer::methods {
 
 std::span<const Description> catalogue() {
     static const std::array all{
-        describe_shss(),       describe_green(),           describe_green_blur(),
-        describe_green_peel(), describe_barre_brisebois(), describe_separable(),
-        describe_constant(),   describe_phong(),
+        // clang-format off: a method a line
+        describe_shss(),
+        describe_green(),
+        describe_green_blur(),
+        describe_green_peel(),
+        describe_patro(),
+        describe_prt(),
+        describe_jensen(),
+        describe_barre_brisebois(),
+        describe_separable(),
+        describe_constant(),
+        describe_phong(),
+        // clang-format on
     };
     return all;
 }

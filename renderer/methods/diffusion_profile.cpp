@@ -2,6 +2,7 @@
 #include "renderer/methods/diffusion_profile.h"
 
 #include "renderer/contract.h"
+#include "renderer/diffusion/dipole.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,32 +34,17 @@ double bickley_1(double x) {
     return from_0_to_infinity([&](double t) { return std::exp(-x * std::cosh(t)) / std::cosh(t); });
 }
 
-/// Mean reflectance of the boundary for light from inside.  [Jensen2001]
-double internal_reflectance(double index) {
-    return index == 1 ? 0.0 : -1.440 / (index * index) + 0.710 / index + 0.668 + 0.0636 * index;
-}
-
 } // namespace
 
-double diffuse_reflectance(double sigma_a, double sigma_s_reduced, double index) {
-    EXPECTS(sigma_a >= 0 && sigma_s_reduced >= 0);
-    const double sigma_t = sigma_a + sigma_s_reduced;
-    if (sigma_t == 0)
-        return 0;
-    const double albedo = sigma_s_reduced / sigma_t;
-    const double F = internal_reflectance(index), A = (1 + F) / (1 - F);
-    const double root = std::sqrt(3 * (1 - albedo));
-    return albedo / 2 * (1 + std::exp(-4.0 / 3 * A * root)) * std::exp(-root);
-}
-
 glm::dvec3 diffusion_length(const Medium& medium) {
-    const auto length = [&](double sigma_a, double sigma_s_reduced) {
-        const double sigma_t = sigma_a + sigma_s_reduced;
-        const double A = diffuse_reflectance(sigma_a, sigma_s_reduced, medium.index);
+    const auto dipoles = diffusion::dipoles(medium);
+    const auto length = [](const diffusion::Dipole& dipole, double sigma_t) {
+        const double A = diffusion::plane_total(dipole);
         return sigma_t == 0 ? 0.0 : 1 / sigma_t / (1.9 - A + 3.5 * (A - 0.8) * (A - 0.8));
     };
     const auto &a = medium.sigma_a, &s = medium.sigma_s_reduced;
-    return {length(a.r, s.r), length(a.g, s.g), length(a.b, s.b)};
+    return {length(dipoles[0], a.r + s.r), length(dipoles[1], a.g + s.g),
+            length(dipoles[2], a.b + s.b)};
 }
 
 double line_profile(double x, double d) {

@@ -11,14 +11,9 @@
 
 namespace renderer::methods {
 
-/// Diffuse reflectance of a half-space, 0..1, by the dipole: lit over all directions, with the
-/// boundary's internal reflection.  sigmas in 1/mm; index inside over outside.
-/// Errors: EXPECTS sigma_a, sigma_s_reduced >= 0.  Source: [Jensen2001, eq. 6 integrated].
-double diffuse_reflectance(double sigma_a, double sigma_s_reduced, double index);
-
 /// The profile's length d in mm, for each channel: R(r) = (e^(-r/d) + e^(-r/3d)) / (8 pi d r) with
-/// d = l/s, l the mean free path 1/sigma_t' and s = 1.9 - A + 3.5 (A - 0.8)^2 for the diffuse
-/// reflectance A.  0 where nothing is met.
+/// d = l/s, l the mean free path 1/sigma_t' and s = 1.9 - A + 3.5 (A - 0.8)^2 for the
+/// half-space's reflectance A under the dipole.  0 where nothing is met.
 glm::dvec3 diffusion_length(const Medium& medium);
 
 /// R integrated over all lines across: (K0(x/d) + K0(x/3d)) / (4 pi d), in 1/mm, x > 0.
