@@ -2,12 +2,14 @@
 #include "renderer/methods/catalogue.h"
 
 #include "renderer/contract.h"
+#include "renderer/methods/barre_brisebois.h"
 #include "renderer/methods/constant.h"
 #include "renderer/methods/green.h"
 #include "renderer/methods/jensen.h"
 #include "renderer/methods/patro.h"
 #include "renderer/methods/phong.h"
 #include "renderer/methods/prt.h"
+#include "renderer/methods/separable.h"
 #include "renderer/methods/shss.h"
 
 #include <fmt/format.h>
@@ -23,9 +25,13 @@ std::span<const Description> catalogue() {
     static const std::array all{
         describe_shss(),
         describe_green(),
+        describe_green_blur(),
+        describe_green_peel(),
         describe_patro(),
         describe_prt(),
         describe_jensen(),
+        describe_barre_brisebois(),
+        describe_separable(),
         describe_constant(),
         describe_phong(),
     };
