@@ -34,6 +34,9 @@ class Target {
 
     DrawingInto draw_into() const { return {framebuffer_.name(), width_, height_}; }
 
+    /// Makes its colour the texture of that unit.
+    void bind_texture(unsigned unit) const;
+
     /// RGBA, four floats to a pixel, rows from the bottom up.
     void read(std::vector<float>& rgba) const;
 
