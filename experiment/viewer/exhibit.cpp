@@ -96,7 +96,7 @@ Expected<Exhibit> exhibit_of_model(const std::string& name, const ModelOptions& 
     const auto material = measured(options.material);
     if (!material)
         return tl::unexpected(material.error());
-    Exhibit exhibit{.name = fs::path(name).filename().string(),
+    Exhibit exhibit{.name = fs::path(name).stem().string(),
                     .folder = folder,
                     .variants = {lit_from("back", "from behind", {0.3, 0.3, -1}),
                                  lit_from("left", "from the left", {-1, 0.3, 0.3}),

@@ -17,11 +17,20 @@ constexpr double dark = 0.25, pale = 0.93; // lightness
 constexpr double chroma = 0.11;
 constexpr double violet_degrees = -40, yellow_degrees = 100;
 
+// By so much a scale may fall short of what it is for: nobody sees it, and 10.002 mm get a scale of
+// 10 mm instead of 20.
+constexpr double overshoot = 1e-3;
+
 // How far g^2 may be from r b: a thousand times float's rounding in three exponentials.
 constexpr double consistency = 1e-3;
 
 double cube(double x) {
     return x * x * x;
+}
+
+/// The larger one, or NaN where one of them is that: a broken pixel has to show.
+double larger(double a, double b) {
+    return b <= a ? a : std::isnan(a) ? a : b;
 }
 
 } // namespace
@@ -45,7 +54,7 @@ double round_scale(double value) {
         return 1;
     const double decade = std::pow(10.0, std::floor(std::log10(value)));
     for (const double digit : {1.0, 2.0, 5.0})
-        if (value <= digit * decade * (1 + 1e-9))
+        if (value <= digit * decade * (1 + overshoot))
             return digit * decade;
     return 10 * decade;
 }
@@ -100,10 +109,10 @@ ErrorSeen error_seen(std::span<const float> left, std::span<const float> right) 
             continue;
         double error = 0;
         for (std::size_t channel = i; channel < i + 3; ++channel)
-            error = std::max(error, static_cast<double>(std::abs(left[channel] - right[channel])));
+            error = larger(error, static_cast<double>(std::abs(left[channel] - right[channel])));
         ++pixels;
         seen.mean += error;
-        seen.most = std::max(seen.most, error);
+        seen.most = larger(seen.most, error);
     }
     if (pixels > 0)
         seen.mean /= static_cast<double>(pixels);

@@ -18,8 +18,8 @@ namespace experiment::viewer {
 /// look equal.  In the gamut of sRGB, linear.  Source: [Ottosson2020].
 renderer::LinearRgb false_colour(double t);
 
-/// The least of 1, 2 and 5 times a power of ten that is not below `value`; 1 for what is not
-/// positive.
+/// The least of 1, 2 and 5 times a power of ten that is not below `value` by more than a
+/// thousandth; 1 for what is not positive.
 double round_scale(double value);
 
 /// A material that makes thickness readable in a picture: nothing but scattered light of 1, and a

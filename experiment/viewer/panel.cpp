@@ -61,7 +61,7 @@ class Panel {
         : state_(state), exhibit_(exhibit), facts_(facts) {}
 
     std::vector<Input> draw() {
-        if (state_.panel)
+        if (facts_.picture.left > 0)
             beside();
         if (state_.help)
             help();

@@ -291,6 +291,8 @@ class Viewer {
     Expected<void> draw(std::size_t i, const renderer::Scene& scene, double seconds) {
         auto& method = *methods_[i];
         auto& facts = facts_.sides[i];
+        if (std::exchange(timed_[i], &method) != &method)
+            times_[i] = {};
         const double start = seconds_now();
         if (const auto ready = method.update(scene, seconds); !ready)
             return ready;
@@ -456,6 +458,7 @@ class Viewer {
     std::array<std::optional<gpu::Target>, 2> targets_;
     std::array<renderer::methods::Method*, 2> methods_{};
     std::array<FrameTimes, 2> times_;
+    std::array<const renderer::methods::Method*, 2> timed_{}; ///< whose times they are
     FrameTimes whole_times_;
     Facts facts_;
 

@@ -44,6 +44,12 @@ std::string name_of(int key) {
     }
 }
 
+/// What a held key goes on doing; a switch is not to flicker.
+bool is_arrow(int key) {
+    return key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT || key == GLFW_KEY_UP ||
+           key == GLFW_KEY_DOWN;
+}
+
 /// The letter that the layout puts on the key, in upper case; "" for other keys.
 std::string letter_of(int key, int scancode) {
     const char* name = glfwGetKeyName(key, scancode);
@@ -102,7 +108,7 @@ class ViewerWindow final : public Display {
         glfwSetKeyCallback(window_.get(),
                            [](GLFWwindow* window, int key, int scancode, int action, int held) {
                                if (action != GLFW_RELEASE)
-                                   self(window).on_key(key, scancode, held);
+                                   self(window).on_key(key, scancode, held, action == GLFW_REPEAT);
                            });
         glfwSetCharCallback(window_.get(), [](GLFWwindow* window, unsigned character) {
             self(window).on_character(character);
@@ -118,14 +124,14 @@ class ViewerWindow final : public Display {
             window_.get(), [](GLFWwindow* window) { self(window).events_.push_back(Closed{}); });
     }
 
-    void on_key(int key, int scancode, int held) {
-        if ((held & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0)
+    void on_key(int key, int scancode, int held, bool is_repeat) {
+        const bool not_for_us = (held & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) != 0;
+        if (not_for_us || ImGui::GetIO().WantTextInput) // a number is being typed
             return;
         auto name = name_of(key);
-        // Where a number is being typed, only keys that type nothing are ours.
-        if (name.empty() && !ImGui::GetIO().WantTextInput)
-            name = letter_of(key, scancode);
         if (name.empty())
+            name = letter_of(key, scancode);
+        if (name.empty() || (is_repeat && !is_arrow(key)))
             return;
         const bool shift = (held & GLFW_MOD_SHIFT) != 0 && name != "F1" && name != "Esc";
         events_.push_back(Stroke{(shift ? "Shift+" : "") + name});
