@@ -12,6 +12,7 @@ void add_init(CLI::App& program);
 void add_check(CLI::App& program);
 void add_verify(CLI::App& program);
 void add_render(CLI::App& program);
+void add_view(CLI::App& program);
 void add_session(CLI::App& program);
 void add_simulate(CLI::App& program);
 void add_export(CLI::App& program);
