@@ -16,6 +16,12 @@ class Records {
     explicit Records(std::string_view text) : text_(text) {
         if (text_.starts_with("\xEF\xBB\xBF"))
             at_ = 3;
+        const auto first = text_.substr(0, text_.find_first_of("\r\n"));
+        if (first.find('\t') != first.npos)
+            separator_ = '\t';
+        else if (first.find(',') == first.npos && first.find(';') != first.npos)
+            separator_ = ';';
+        ends_[0] = separator_;
     }
 
     std::int64_t line() const { return first_line_; }
@@ -37,7 +43,8 @@ class Records {
 
   private:
     std::string_view plain() {
-        const auto end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
+        const auto end =
+            std::min(text_.find_first_of(std::string_view(ends_, 3), at_), text_.size());
         const auto field = text_.substr(at_, end - at_);
         at_ = end;
         return field;
@@ -62,11 +69,11 @@ class Records {
         return value;
     }
 
-    /// Steps over a comma (true) or a line end (false).
+    /// Steps over a separator (true) or a line end (false).
     bool separator(std::string& wrong) {
         if (at_ >= text_.size())
             return false;
-        if (text_[at_] == ',') {
+        if (text_[at_] == separator_) {
             ++at_;
             return true;
         }
@@ -81,6 +88,8 @@ class Records {
     }
 
     std::string_view text_;
+    char separator_ = ',';
+    char ends_[3] = {',', '\r', '\n'};
     std::size_t at_ = 0;
     std::int64_t line_ = 1;
     std::int64_t first_line_ = 1;

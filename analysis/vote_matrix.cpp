@@ -3,7 +3,8 @@
 #include "protocols/contract.h"
 
 #include <algorithm>
-#include <map>
+#include <numeric>
+#include <unordered_map>
 
 namespace analysis {
 
@@ -187,6 +188,39 @@ ScopedMatrix labelled(const VoteTable& table,
     return cell;
 }
 
+// Where the matrix of a cell stands; -1 while there is none.  A plain array where one fits.
+class CellIndex {
+  public:
+    explicit CellIndex(const std::vector<KeptColumn>& kept) {
+        double cells = 1;
+        for (const auto& column : kept)
+            cells *= static_cast<double>(column.names->size());
+        if (cells <= 1 << 22)
+            array_.assign(static_cast<std::size_t>(cells), -1);
+    }
+
+    std::int64_t& place(std::uint64_t cell) {
+        return array_.empty() ? map_.try_emplace(cell, -1).first->second : array_[cell];
+    }
+
+  private:
+    std::vector<std::int64_t> array_;
+    std::unordered_map<std::uint64_t, std::int64_t> map_;
+};
+
+// Sorted by the places of the kept levels.
+std::vector<ScopedMatrix> in_order(std::vector<ScopedMatrix> matrices,
+                                   const std::vector<std::uint64_t>& cells) {
+    std::vector<std::size_t> order(matrices.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return cells[a] < cells[b]; });
+    std::vector<ScopedMatrix> sorted;
+    sorted.reserve(matrices.size());
+    for (const auto place : order)
+        sorted.push_back(std::move(matrices[place]));
+    return sorted;
+}
+
 } // namespace
 
 std::string scope_name(const VoteTable& table, const Scope& scope) {
@@ -206,21 +240,23 @@ std::string scope_name(const VoteTable& table, const Scope& scope) {
 
 std::vector<ScopedMatrix> count_votes(const VoteTable& table, const Scope& scope) {
     const auto kept = kept_columns(table, scope);
-    std::map<std::uint64_t, ScopedMatrix> cells; // by the places of the kept levels, mixed radix
+    CellIndex index(kept);
+    std::vector<ScopedMatrix> matrices;
+    std::vector<std::uint64_t> cells; // of each matrix
     for (std::size_t vote = 0; vote < table.size(); ++vote) {
         std::uint64_t cell = 0;
         for (const auto& column : kept)
             cell = cell * column.names->size() + column.places[(*column.codes)[vote]];
-        auto found = cells.lower_bound(cell);
-        if (found == cells.end() || found->first != cell)
-            found = cells.emplace_hint(found, cell, labelled(table, scope, kept, vote));
-        found->second.matrix.add(table.left[vote], table.right[vote], table.chosen[vote]);
+        auto& place = index.place(cell);
+        if (place < 0) {
+            place = static_cast<std::int64_t>(matrices.size());
+            matrices.push_back(labelled(table, scope, kept, vote));
+            cells.push_back(cell);
+        }
+        matrices[static_cast<std::size_t>(place)].matrix.add(table.left[vote], table.right[vote],
+                                                             table.chosen[vote]);
     }
-    std::vector<ScopedMatrix> matrices;
-    matrices.reserve(cells.size());
-    for (auto& [place, cell] : cells)
-        matrices.push_back(std::move(cell));
-    return matrices;
+    return in_order(std::move(matrices), cells);
 }
 
 VoteMatrix count_votes(const VoteTable& table) {
