@@ -128,6 +128,24 @@ void Section::number(std::string_view key, Range<double> range, double& value) {
         refuse(key, in_words("a number", range));
 }
 
+std::array<double, 3> Section::rgb(std::string_view key, Range<double> range) {
+    const auto wanted = in_words("three numbers [r, g, b] or one for all, each", range);
+    std::array<double, 3> channels{};
+    channels.fill(range.low);
+    const auto* node = find(key, wanted, false);
+    if (node == nullptr)
+        return channels;
+    if (const auto* list = std::get_if<List>(&node->value); list == nullptr)
+        channels.fill(as_number(*node));
+    else if (list->size() == 3)
+        std::transform(list->begin(), list->end(), channels.begin(), as_number);
+    else
+        channels.fill(NAN);
+    if (!std::all_of(channels.begin(), channels.end(), [&](double c) { return range.has(c); }))
+        refuse(key, wanted);
+    return channels;
+}
+
 std::array<double, 3> Section::direction(std::string_view key,
                                          std::optional<std::array<double, 3>> fallback) {
     constexpr std::string_view wanted = "three numbers [x, y, z], not all zero";
@@ -148,6 +166,31 @@ std::array<double, 3> Section::direction(std::string_view key,
     }
     refuse(key, wanted);
     return toward_the_viewer;
+}
+
+std::array<double, 3>
+Section::triple(std::string_view key, Range<double> range, std::array<double, 3> fallback) {
+    if (!has(key))
+        return fallback;
+    if (const auto* list = std::get_if<List>(&entry(key)->node.value);
+        list != nullptr && list->size() == 3) {
+        std::array<double, 3> values{};
+        std::transform(list->begin(), list->end(), values.begin(), as_number);
+        if (std::all_of(values.begin(), values.end(), [&](double v) { return range.has(v); }))
+            return values;
+    }
+    refuse(key, fmt::format("three numbers [x, y, z], each {}", in_words("a number", range)));
+    return fallback;
+}
+
+std::vector<Entry> Section::rest() {
+    std::vector<Entry> entries;
+    for (const auto& each : *table_)
+        if (std::find(asked_.begin(), asked_.end(), each.key) == asked_.end())
+            entries.push_back(each);
+    for (const auto& each : entries)
+        asked_.push_back(each.key);
+    return entries;
 }
 
 Section Section::table(std::string_view key, bool required) {

@@ -65,9 +65,19 @@ class Section {
     void whole(std::string_view key, Range<int> range, int& value);
     void number(std::string_view key, Range<double> range, double& value);
 
+    /// Three numbers, one for each colour channel, or one number for all.
+    std::array<double, 3> rgb(std::string_view key, Range<double> range);
+
     /// Three numbers of any length in the file, a unit vector ever after.
     std::array<double, 3> direction(std::string_view key,
                                     std::optional<std::array<double, 3>> fallback = {});
+
+    /// Three numbers within the range.
+    std::array<double, 3>
+    triple(std::string_view key, Range<double> range, std::array<double, 3> fallback);
+
+    /// Every entry that nobody asked for so far; now all have been.
+    std::vector<Entry> rest();
 
     /// The table [key]: empty where it is missing and need not be there.
     Section table(std::string_view key, bool required);

@@ -9,6 +9,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,15 +19,21 @@
 
 namespace protocols {
 
-/// How a condition's pictures are rendered.  Names are checked against `KnownNames` when the file
-/// is read.
+/// A setting of a rendering method, as the study file writes it.
+using DialValue = std::variant<std::int64_t, double, std::string>;
+using Dials = std::map<std::string, DialValue, std::less<>>;
+
+/// What is wrong with a dial: "bands" and "is 9, expected a whole number from 1 to 6".
+struct DialProblem {
+    std::string dial;
+    std::string what;
+};
+
+/// How a condition's pictures are rendered.  What may stand here is checked by `KnownNames` when
+/// the file is read.
 struct Rendering {
-    std::string method; ///< "phong", "green", "shss"
-    int bands = 5;      ///< SHSS: spherical-harmonic bands, 1..6, n bands are n^2 coefficients
-    std::string law = "physical";  ///< attenuation: "paper" (1 - d) or "physical" exp(-sigma_tr d)
-    std::string thickness = "sum"; ///< SHSS: "sum", "first" or "span"
-    int directions = 1024;         ///< SHSS: rays per vertex
-    int depth_map = 2048;          ///< Green: texels along an edge of the depth map
+    std::string method;
+    Dials dials; ///< every dial the method has, those that the file leaves out at their presets
 };
 
 /// Pictures made elsewhere, already lying at stimuli/<scene>/[<variant>/]<condition>.png
@@ -36,6 +44,28 @@ struct Condition {
     std::string label; ///< as people read it
     std::variant<Rendering, OwnImages> source;
     int line = 0; ///< in the study file, for messages
+};
+
+/// A medium by its coefficients, per millimetre and colour channel.
+struct Coefficients {
+    std::array<double, 3> sigma_a = {};
+    std::array<double, 3> sigma_s_reduced = {}; ///< (1 - g) sigma_s
+    double index = 1.3;                         ///< inside over outside
+};
+
+/// A medium by the colour of a thick layer of it in diffuse light, linear, 0..1.
+struct Colour {
+    std::array<double, 3> reflectance = {};
+    std::array<double, 3> mean_free_path_mm = {}; ///< how far light spreads, per channel
+};
+
+using MaterialId = Name<struct MaterialTag>;
+
+/// A material of the study's own, beside the measured ones.
+struct OwnMaterial {
+    MaterialId id; ///< as scenes name it
+    std::variant<Coefficients, Colour> medium;
+    int line = 0;
 };
 
 /// A named analytic body or a model file, and how it is looked at.
@@ -49,17 +79,29 @@ struct Scene {
     double elevation_degrees = 0;         ///< the camera's height above the horizon
     std::array<double, 3> up = {0, 1, 0}; ///< which way is up in the model's coordinates
     double diameter_mm = 100;             ///< diameter of the model's bounding sphere in the world
-    std::string material;                 ///< a measured material by name
+    std::optional<double> mm_per_unit =
+        {};               ///< of the model's coordinates; instead of `diameter_mm`
+    std::string material; ///< one of the study's own, or a measured one, by name
     int line = 0;
+};
+
+/// A light of a variant, in view axes: x right, y up, z toward the viewer.
+struct Light {
+    /// Far away, with the unit vector from the surface toward it; or near, at a place in mm from
+    /// the centre of the scene.
+    enum class Kind { Far, Near } kind = Kind::Far;
+    std::array<double, 3> to_light = {0, 0, 1};
+    std::array<double, 3> position_mm = {0, 0, 0};
+    double reference_mm = 100; ///< where a near light has its intensity
+    std::array<double, 3> intensity = {1, 1, 1};
+    bool operator==(const Light&) const = default;
 };
 
 /// How a scene is lit.
 struct Variant {
     VariantId id;
     std::string label;
-    /// Unit vector from the surface toward the light, in view axes: x right, y up, z toward the
-    /// viewer.
-    std::array<double, 3> to_light = {0, 0, 1};
+    std::vector<Light> lights{{}};
     int line = 0;
 };
 
@@ -97,18 +139,21 @@ struct Study {
     Surround surround;
     SessionPlan plan;
     Instructions instructions;
+    std::vector<OwnMaterial> materials;
     std::vector<Scene> scenes;
     std::vector<Variant>
         variants; ///< empty: scenes are shown one way only, under the variant id ""
     std::vector<Condition> conditions;
 };
 
-/// The names a study file may use for things this module does not know.
+/// What a study file may name that this module does not know.
 struct KnownNames {
     std::vector<std::string> methods;
-    std::vector<std::string> laws;
-    std::vector<std::string> thickness_kinds;
-    std::vector<std::string> materials;
+    std::vector<std::string> materials; ///< the measured ones
+
+    /// The dials of a method with presets for those that are not given, or what is wrong with one.
+    std::function<tl::expected<Dials, DialProblem>(const std::string& method, const Dials& given)>
+        complete;
 };
 
 /// Reads and validates a study from the text of its file.
@@ -118,6 +163,9 @@ struct KnownNames {
 ///         conditions.
 Expected<Study>
 parse_study(std::string_view text, std::string_view file_name, const KnownNames& known);
+
+/// The study's own material of that name; null for a measured one.
+const OwnMaterial* own_material(const Study& study, std::string_view name);
 
 /// The variants to show: those of the file, or the single nameless one.
 std::vector<Variant> shown_variants(const Study& study);

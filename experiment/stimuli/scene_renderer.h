@@ -59,6 +59,7 @@ class SceneRenderer {
         : study_(&study), scene_(&scene), model_(std::move(model)), samples_(samples) {}
 
     tl::expected<void, std::string> prepare_contenders(const std::function<void(double)>& progress);
+    renderer::Scene seen() const;
     renderer::Scene lit_by(const protocols::Variant& variant) const;
     tl::expected<std::vector<Drawn>, std::string> draw_all(const protocols::Variant& variant);
 

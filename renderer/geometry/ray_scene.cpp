@@ -62,6 +62,31 @@ void occluded(RTCScene scene, Collector& collector, RTCRay& ray) {
 #endif
 }
 
+/// Stops at the first hit; afterwards `tfar` of a ray that met one is minus infinity.
+void occluded_without_filter(RTCScene scene, RTCRay& ray) {
+#if RTC_VERSION_MAJOR < 4
+    QueryContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &ray);
+#else
+    rtcOccluded1(scene, &ray, nullptr);
+#endif
+}
+
+RTCRay endless_ray(glm::vec3 origin, glm::vec3 direction, float nearest) {
+    RTCRay ray{};
+    ray.org_x = origin.x;
+    ray.org_y = origin.y;
+    ray.org_z = origin.z;
+    ray.dir_x = direction.x;
+    ray.dir_y = direction.y;
+    ray.dir_z = direction.z;
+    ray.tnear = nearest;
+    ray.tfar = std::numeric_limits<float>::infinity();
+    ray.mask = ~0u;
+    return ray;
+}
+
 RTCSceneFlags scene_flags() {
     // Robust: neighbours agree about their common edge, so that no ray slips through between them.
 #if RTC_VERSION_MAJOR < 4
@@ -163,18 +188,15 @@ void RayScene::all_hits(glm::vec3 origin,
                         float nearest,
                         std::vector<Hit>& hits) const {
     hits.clear();
-    RTCRay ray{};
-    ray.org_x = origin.x;
-    ray.org_y = origin.y;
-    ray.org_z = origin.z;
-    ray.dir_x = direction.x;
-    ray.dir_y = direction.y;
-    ray.dir_z = direction.z;
-    ray.tnear = nearest;
-    ray.tfar = std::numeric_limits<float>::infinity();
-    ray.mask = ~0u;
+    RTCRay ray = endless_ray(origin, direction, nearest);
     Collector collector{{}, &hits, triangles_.data()};
     occluded(handles_->scene, collector, ray);
+}
+
+bool RayScene::is_occluded(glm::vec3 origin, glm::vec3 direction, float nearest) const {
+    RTCRay ray = endless_ray(origin, direction, nearest);
+    occluded_without_filter(handles_->scene, ray);
+    return ray.tfar < 0;
 }
 
 } // namespace renderer::geometry

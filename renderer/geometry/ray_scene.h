@@ -51,6 +51,10 @@ class RayScene {
     void
     all_hits(glm::vec3 origin, glm::vec3 direction, float nearest, std::vector<Hit>& hits) const;
 
+    /// Whether the ray meets anything farther than `nearest` from its origin.
+    /// Units: `origin` in scene coordinates, `direction` unit length.
+    bool is_occluded(glm::vec3 origin, glm::vec3 direction, float nearest) const;
+
     std::span<const Triangle> triangles() const { return triangles_; }
 
     std::span<const glm::vec3> positions() const { return positions_; } ///< scene coordinates
