@@ -21,7 +21,6 @@ class Records {
             separator_ = '\t';
         else if (first.find(',') == first.npos && first.find(';') != first.npos)
             separator_ = ';';
-        ends_[0] = separator_;
     }
 
     std::int64_t line() const { return first_line_; }
@@ -42,12 +41,13 @@ class Records {
     }
 
   private:
+    // A plain loop: searching for a set of characters costs three times as much on short fields.
     std::string_view plain() {
-        const auto end =
-            std::min(text_.find_first_of(std::string_view(ends_, 3), at_), text_.size());
-        const auto field = text_.substr(at_, end - at_);
-        at_ = end;
-        return field;
+        const auto first = at_;
+        while (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' &&
+               text_[at_] != '\r')
+            ++at_;
+        return text_.substr(first, at_ - first);
     }
 
     std::string_view quoted(std::string& wrong) {
@@ -89,7 +89,6 @@ class Records {
 
     std::string_view text_;
     char separator_ = ',';
-    char ends_[3] = {',', '\r', '\n'};
     std::size_t at_ = 0;
     std::int64_t line_ = 1;
     std::int64_t first_line_ = 1;

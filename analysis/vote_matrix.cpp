@@ -10,13 +10,15 @@ namespace analysis {
 
 VoteMatrix::VoteMatrix(std::size_t conditions)
     : conditions_(conditions), left_chosen_(conditions * conditions),
-      right_chosen_(conditions * conditions), tied_(conditions * conditions) {}
+      right_chosen_(conditions * conditions) {}
 
 void VoteMatrix::add(std::size_t left,
                      std::size_t right,
                      protocols::Choice chosen,
                      std::int64_t votes) {
     EXPECTS(left < conditions_ && right < conditions_ && left != right);
+    if (chosen == protocols::Choice::Tie)
+        tied_.resize(conditions_ * conditions_);
     auto& counts = chosen == protocols::Choice::Left    ? left_chosen_
                    : chosen == protocols::Choice::Right ? right_chosen_
                                                         : tied_;
@@ -25,11 +27,13 @@ void VoteMatrix::add(std::size_t left,
 
 void VoteMatrix::add(const VoteMatrix& other) {
     EXPECTS(other.conditions_ == conditions_);
-    for (std::size_t k = 0; k < tied_.size(); ++k) {
+    tied_.resize(std::max(tied_.size(), other.tied_.size()));
+    for (std::size_t k = 0; k < left_chosen_.size(); ++k) {
         left_chosen_[k] += other.left_chosen_[k];
         right_chosen_[k] += other.right_chosen_[k];
-        tied_[k] += other.tied_[k];
     }
+    for (std::size_t k = 0; k < other.tied_.size(); ++k)
+        tied_[k] += other.tied_[k];
 }
 
 std::int64_t VoteMatrix::left_chosen(std::size_t left, std::size_t right) const {
@@ -41,7 +45,7 @@ std::int64_t VoteMatrix::right_chosen(std::size_t left, std::size_t right) const
 }
 
 std::int64_t VoteMatrix::tied(std::size_t left, std::size_t right) const {
-    return tied_[at(left, right)];
+    return tied_.empty() ? 0 : tied_[at(left, right)];
 }
 
 std::int64_t VoteMatrix::wins(std::size_t winner, std::size_t loser) const {
@@ -49,7 +53,7 @@ std::int64_t VoteMatrix::wins(std::size_t winner, std::size_t loser) const {
 }
 
 std::int64_t VoteMatrix::ties(std::size_t a, std::size_t b) const {
-    return tied_[at(a, b)] + tied_[at(b, a)];
+    return tied(a, b) + tied(b, a);
 }
 
 std::int64_t VoteMatrix::comparisons(std::size_t a, std::size_t b) const {
