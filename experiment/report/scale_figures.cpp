@@ -141,15 +141,15 @@ std::string residuals_script(const ReportContents& contents, FigureForm form) {
     script += fmt::format("set multiplot layout 1,2 title {}\n",
                           gnuplot_string(marked_if_simulated(contents, "Residuals")));
     script += "set border 3\nset grid lc rgb '#e3e6e8' lt 1 lw 0.5 back\nset ylabel 'residual'\n";
-    script +=
-        fmt::format("set xlabel 'normal quantile'\nplot {}*x with lines lc rgb '#6b7178' dt 2, "
-                    "$quantiles using 1:2 with points pt 7 ps 0.5 lc rgb '{}'\n",
-                    number_or_nan(standard_deviation(sorted)), ink);
-    script +=
-        fmt::format("set xlabel 'fitted votes per round'\nplot 0 with lines lc rgb '#6b7178' dt "
-                    "2, $fitted using 1:2 with points pt 7 ps 0.5 lc rgb '{}'\nunset "
-                    "multiplot\n",
-                    ink);
+    script += fmt::format(
+        "set xlabel 'normal quantile'\nset xtics 1\nplot {}*x with lines lc rgb '#6b7178' dt 2, "
+        "$quantiles using 1:2 with points pt 7 ps 0.5 lc rgb '{}'\n",
+        number_or_nan(standard_deviation(sorted)), ink);
+    script += fmt::format("set xlabel 'fitted votes per round'\nset xtics autofreq\nplot 0 with "
+                          "lines lc rgb '#6b7178' dt "
+                          "2, $fitted using 1:2 with points pt 7 ps 0.5 lc rgb '{}'\nunset "
+                          "multiplot\n",
+                          ink);
     return script;
 }
 
