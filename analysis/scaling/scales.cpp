@@ -176,7 +176,7 @@ std::string existence_in_words(const Existence& found, const std::vector<std::st
                            "group in {}",
                            fmt::join(groups, " above "));
     case Scale::Disconnected:
-        return fmt::format("these groups were never compared with each other, not even through "
+        return fmt::format("no vote decides between these groups, neither directly nor through "
                            "others: {}",
                            fmt::join(groups, ", "));
     }

@@ -226,7 +226,7 @@ TEST(Findings, ConditionsNeverComparedAreNamed) {
                                             {"O2", "A", "B"}}));
     EXPECT_EQ(findings.scales.bradley_terry.estimate, scaling::Estimate::None);
     const auto text = findings_text(findings);
-    EXPECT_THAT(text, HasSubstr("these groups were never compared with each other, not even "
+    EXPECT_THAT(text, HasSubstr("no vote decides between these groups, neither directly nor "
                                 "through others: {A, B}, {C, D}"));
     const auto json = nlohmann::json::parse(findings_json(findings));
     EXPECT_TRUE(json["choice_models"]["bradley_terry"]["theta_centered"][0].is_null());
