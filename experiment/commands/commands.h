@@ -17,6 +17,7 @@ void add_session(CLI::App& program);
 void add_simulate(CLI::App& program);
 void add_export(CLI::App& program);
 void add_analyze(CLI::App& program);
+void add_anova(CLI::App& program);
 void add_report(CLI::App& program);
 void add_schedule(CLI::App& program);
 void add_thickness(CLI::App& program);
