@@ -84,6 +84,20 @@ void fill(RTCGeometry geometry,
     std::memcpy(buffer, values.data(), sizeof(T) * values.size());
 }
 
+RTCRay ray_between(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) {
+    RTCRay ray{};
+    ray.org_x = origin.x;
+    ray.org_y = origin.y;
+    ray.org_z = origin.z;
+    ray.dir_x = direction.x;
+    ray.dir_y = direction.y;
+    ray.dir_z = direction.z;
+    ray.tnear = nearest;
+    ray.tfar = farthest;
+    ray.mask = ~0u;
+    return ray;
+}
+
 bool is_finite(glm::dvec3 p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
@@ -163,18 +177,48 @@ void RayScene::all_hits(glm::vec3 origin,
                         float nearest,
                         std::vector<Hit>& hits) const {
     hits.clear();
-    RTCRay ray{};
-    ray.org_x = origin.x;
-    ray.org_y = origin.y;
-    ray.org_z = origin.z;
-    ray.dir_x = direction.x;
-    ray.dir_y = direction.y;
-    ray.dir_z = direction.z;
-    ray.tnear = nearest;
-    ray.tfar = std::numeric_limits<float>::infinity();
-    ray.mask = ~0u;
+    RTCRay ray = ray_between(origin, direction, nearest, std::numeric_limits<float>::infinity());
     Collector collector{{}, &hits, triangles_.data()};
     occluded(handles_->scene, collector, ray);
+}
+
+bool RayScene::meets(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) const {
+    RTCRay ray = ray_between(origin, direction, nearest, farthest);
+    QueryContext context;
+#if RTC_VERSION_MAJOR < 4
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(handles_->scene, &context, &ray);
+#else
+    rtcInitRayQueryContext(&context);
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &context;
+    rtcOccluded1(handles_->scene, &ray, &arguments);
+#endif
+    return ray.tfar < 0; // Embree's sign for a ray that met something
+}
+
+std::optional<Hit>
+RayScene::first_hit(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) const {
+    RTCRayHit query{};
+    query.ray = ray_between(origin, direction, nearest, farthest);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    QueryContext context;
+#if RTC_VERSION_MAJOR < 4
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(handles_->scene, &context, &query);
+#else
+    rtcInitRayQueryContext(&context);
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context;
+    rtcIntersect1(handles_->scene, &query, &arguments);
+#endif
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+        return std::nullopt;
+    const float along =
+        query.hit.Ng_x * direction.x + query.hit.Ng_y * direction.y + query.hit.Ng_z * direction.z;
+    return Hit{query.ray.tfar, query.hit.primID, along > 0};
 }
 
 } // namespace renderer::geometry

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,13 @@ class RayScene {
     /// Units: `origin` in scene coordinates, `direction` unit length.
     void
     all_hits(glm::vec3 origin, glm::vec3 direction, float nearest, std::vector<Hit>& hits) const;
+
+    /// Whether the ray meets a triangle between the two distances.
+    bool meets(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) const;
+
+    /// The nearest triangle the ray meets between the two distances.
+    std::optional<Hit>
+    first_hit(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) const;
 
     std::span<const Triangle> triangles() const { return triangles_; }
 
