@@ -2,17 +2,15 @@
 // anyone asks for.
 #include "experiment/stimuli/scene_renderer.h"
 
+#include "experiment/stimuli/lit_scene.h"
 #include "experiment/stimuli/recipe.h"
 #include "experiment/text_files.h"
 #include "protocols/digest.h"
-#include "renderer/camera.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/image_files.h"
-#include "renderer/materials.h"
 #include "renderer/methods/picture.h"
 
 #include <fmt/core.h>
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -109,10 +107,6 @@ Expected<SceneRenderer> SceneRenderer::prepare(const protocols::Study& study,
                                                int samples,
                                                const std::function<void(double)>& progress) {
     SceneRenderer scene_renderer(study, scene, std::move(model), samples);
-    const auto material = renderer::measured_material(scene.material);
-    if (!material)
-        return tl::unexpected(fmt::format("no material \"{}\"", scene.material));
-    scene_renderer.material_ = *material;
     if (auto prepared = scene_renderer.prepare_contenders(progress); !prepared)
         return tl::unexpected(prepared.error());
     return scene_renderer;
@@ -163,30 +157,15 @@ Expected<void> SceneRenderer::prepare_contenders(const std::function<void(double
     return {};
 }
 
-renderer::Scene SceneRenderer::lit_by(const protocols::Variant& variant) const {
-    const auto& up = scene_->up;
-    const renderer::Turntable turntable{
-        scene_->turn_degrees, scene_->elevation_degrees, {up[0], up[1], up[2]}};
-    const renderer::Millimetres diameter{scene_->diameter_mm};
-    renderer::Scene scene;
-    scene.placement =
-        renderer::place(renderer::geometry::bounding_sphere(model_.mesh), diameter, turntable);
-    scene.camera =
-        renderer::frame(diameter, turntable, static_cast<double>(study_->width) / study_->height);
-    scene.material = material_;
-    const auto& to_light = variant.to_light;
-    scene.light.to_light =
-        renderer::world_from_view_axes(scene.camera, {to_light[0], to_light[1], to_light[2]});
-    return scene;
-}
-
 Expected<std::vector<SceneRenderer::Drawn>>
 SceneRenderer::draw_all(const protocols::Variant& variant) {
-    const auto scene = lit_by(variant);
+    const auto scene = lit_scene(*study_, *scene_, variant, model_.mesh);
+    if (!scene)
+        return tl::unexpected(scene.error());
     std::vector<Drawn> drawn;
     for (auto& contender : contenders_) {
         const auto start = Clock::now();
-        auto image = methods::render_picture(*contender.method, scene, study_->width,
+        auto image = methods::render_picture(*contender.method, *scene, study_->width,
                                              study_->height, samples_);
         if (!image)
             return tl::unexpected(image.error());

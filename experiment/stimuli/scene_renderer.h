@@ -59,14 +59,12 @@ class SceneRenderer {
         : study_(&study), scene_(&scene), model_(std::move(model)), samples_(samples) {}
 
     tl::expected<void, std::string> prepare_contenders(const std::function<void(double)>& progress);
-    renderer::Scene lit_by(const protocols::Variant& variant) const;
     tl::expected<std::vector<Drawn>, std::string> draw_all(const protocols::Variant& variant);
 
     const protocols::Study* study_;
     const protocols::Scene* scene_;
     LoadedModel model_;
     int samples_;
-    renderer::Material material_;
     std::vector<Contender> contenders_;
 };
 
