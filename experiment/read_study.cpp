@@ -4,6 +4,7 @@
 #include "experiment/text_files.h"
 #include "protocols/digest.h"
 #include "renderer/materials.h"
+#include "renderer/methods/catalogue.h"
 
 #include <fmt/core.h>
 
@@ -26,10 +27,16 @@ fs::path model_cache() {
 } // namespace
 
 protocols::KnownNames known_names() {
-    return {.methods = {"phong", "green", "shss"},
-            .laws = {"paper", "physical"},
-            .thickness_kinds = {"sum", "first", "span"},
-            .materials = renderer::measured_names()};
+    std::vector<std::string> names;
+    for (const auto& method : renderer::methods::catalogue())
+        names.push_back(method.name);
+    const auto complete = [](const std::string& method, const protocols::Dials& given) {
+        return renderer::methods::complete_for(method, given)
+            .map_error([](const renderer::methods::DialProblem& problem) {
+                return protocols::DialProblem{problem.dial, problem.what};
+            });
+    };
+    return {.methods = names, .materials = renderer::measured_names(), .complete = complete};
 }
 
 tl::expected<LoadedStudy, std::string> read_study(const fs::path& path) {

@@ -18,7 +18,7 @@ struct LoadedStudy {
     std::string sha256; ///< of the study file's bytes, hexadecimal
 };
 
-/// The names a study file may use: the renderer's methods, laws, thickness kinds and materials.
+/// What a study file may name: the renderer's methods with their dials, and its materials.
 protocols::KnownNames known_names();
 
 /// Reads the study a person means by `path` (a folder or its study.toml).

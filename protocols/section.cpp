@@ -150,6 +150,31 @@ std::array<double, 3> Section::direction(std::string_view key,
     return toward_the_viewer;
 }
 
+std::array<double, 3>
+Section::triple(std::string_view key, Range<double> range, std::array<double, 3> fallback) {
+    if (!has(key))
+        return fallback;
+    if (const auto* list = std::get_if<List>(&entry(key)->node.value);
+        list != nullptr && list->size() == 3) {
+        std::array<double, 3> values{};
+        std::transform(list->begin(), list->end(), values.begin(), as_number);
+        if (std::all_of(values.begin(), values.end(), [&](double v) { return range.has(v); }))
+            return values;
+    }
+    refuse(key, fmt::format("three numbers [x, y, z], each {}", in_words("a number", range)));
+    return fallback;
+}
+
+std::vector<Entry> Section::rest() {
+    std::vector<Entry> entries;
+    for (const auto& each : *table_)
+        if (std::find(asked_.begin(), asked_.end(), each.key) == asked_.end())
+            entries.push_back(each);
+    for (const auto& each : entries)
+        asked_.push_back(each.key);
+    return entries;
+}
+
 Section Section::table(std::string_view key, bool required) {
     const auto name = fmt::format("[{}]", key);
     const auto wanted = "the table " + name;

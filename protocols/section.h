@@ -69,6 +69,13 @@ class Section {
     std::array<double, 3> direction(std::string_view key,
                                     std::optional<std::array<double, 3>> fallback = {});
 
+    /// Three numbers within the range.
+    std::array<double, 3>
+    triple(std::string_view key, Range<double> range, std::array<double, 3> fallback);
+
+    /// Every entry that nobody asked for so far; now all have been.
+    std::vector<Entry> rest();
+
     /// The table [key]: empty where it is missing and need not be there.
     Section table(std::string_view key, bool required);
 

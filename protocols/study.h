@@ -9,6 +9,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,15 +19,21 @@
 
 namespace protocols {
 
-/// How a condition's pictures are rendered.  Names are checked against `KnownNames` when the file
-/// is read.
+/// A setting of a rendering method, as the study file writes it.
+using DialValue = std::variant<std::int64_t, double, std::string>;
+using Dials = std::map<std::string, DialValue, std::less<>>;
+
+/// What is wrong with a dial: "bands" and "is 9, expected a whole number from 1 to 6".
+struct DialProblem {
+    std::string dial;
+    std::string what;
+};
+
+/// How a condition's pictures are rendered.  What may stand here is checked by `KnownNames` when
+/// the file is read.
 struct Rendering {
-    std::string method; ///< "phong", "green", "shss"
-    int bands = 5;      ///< SHSS: spherical-harmonic bands, 1..6, n bands are n^2 coefficients
-    std::string law = "physical";  ///< attenuation: "paper" (1 - d) or "physical" exp(-sigma_tr d)
-    std::string thickness = "sum"; ///< SHSS: "sum", "first" or "span"
-    int directions = 1024;         ///< SHSS: rays per vertex
-    int depth_map = 2048;          ///< Green: texels along an edge of the depth map
+    std::string method;
+    Dials dials; ///< every dial the method has, those that the file leaves out at their presets
 };
 
 /// Pictures made elsewhere, already lying at stimuli/<scene>/[<variant>/]<condition>.png
@@ -53,13 +61,23 @@ struct Scene {
     int line = 0;
 };
 
+/// A light of a variant, in view axes: x right, y up, z toward the viewer.
+struct Light {
+    /// Far away, with the unit vector from the surface toward it; or near, at a place in mm from
+    /// the centre of the scene.
+    enum class Kind { Far, Near } kind = Kind::Far;
+    std::array<double, 3> to_light = {0, 0, 1};
+    std::array<double, 3> position_mm = {0, 0, 0};
+    double reference_mm = 100; ///< where a near light has its intensity
+    std::array<double, 3> intensity = {1, 1, 1};
+    bool operator==(const Light&) const = default;
+};
+
 /// How a scene is lit.
 struct Variant {
     VariantId id;
     std::string label;
-    /// Unit vector from the surface toward the light, in view axes: x right, y up, z toward the
-    /// viewer.
-    std::array<double, 3> to_light = {0, 0, 1};
+    std::vector<Light> lights{{}};
     int line = 0;
 };
 
@@ -103,12 +121,14 @@ struct Study {
     std::vector<Condition> conditions;
 };
 
-/// The names a study file may use for things this module does not know.
+/// What a study file may name that this module does not know.
 struct KnownNames {
     std::vector<std::string> methods;
-    std::vector<std::string> laws;
-    std::vector<std::string> thickness_kinds;
     std::vector<std::string> materials;
+
+    /// The dials of a method with presets for those that are not given, or what is wrong with one.
+    std::function<tl::expected<Dials, DialProblem>(const std::string& method, const Dials& given)>
+        complete;
 };
 
 /// Reads and validates a study from the text of its file.

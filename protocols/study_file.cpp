@@ -14,6 +14,8 @@ namespace protocols {
 
 namespace {
 
+constexpr std::size_t most_lights = 8;
+
 /// Notes ids that come twice among tables of one kind.
 template <class Item>
 void expect_own_ids(const std::vector<Item>& items, std::string_view kind, Problems& problems) {
@@ -79,45 +81,52 @@ Instructions read_instructions(Section section) {
     return instructions;
 }
 
-const std::vector<std::string> all_dials{"bands", "law", "thickness", "directions", "depth_map"};
+std::optional<DialValue> dial_value(const Node& node) {
+    if (const auto* whole = std::get_if<std::int64_t>(&node.value))
+        return *whole;
+    if (const auto* number = std::get_if<double>(&node.value))
+        return *number;
+    if (const auto* text = std::get_if<std::string>(&node.value))
+        return *text;
+    return std::nullopt;
+}
 
-std::vector<std::string> dials_of(std::string_view method) {
-    if (method == "shss")
-        return {"bands", "law", "thickness", "directions"};
-    if (method == "green")
-        return {"law", "depth_map"};
-    return {};
+/// All keys that nothing else has asked for are dials: what they may be, the method knows.
+Dials read_dials(Section& section) {
+    Dials dials;
+    for (const auto& [key, line, node] : section.rest())
+        if (const auto value = dial_value(node))
+            dials.emplace(key, *value);
+        else
+            section.refuse(key, "a number, or text in quotes");
+    return dials;
 }
 
 /// A dial that does nothing would let a study claim a difference that is not there.
-void expect_only_dials(Section& section,
-                       std::string_view owner,
-                       const std::vector<std::string>& dials) {
-    for (const auto& dial : all_dials)
-        if (section.has(dial) && std::find(dials.begin(), dials.end(), dial) == dials.end())
-            section.note(
-                dial,
-                fmt::format("'{}' is no dial of {}, which has {}", dial, owner,
-                            dials.empty() ? "none" : fmt::format("{}", fmt::join(dials, ", "))));
-}
-
 Rendering read_rendering(Section& section, const KnownNames& known) {
     Rendering rendering;
     rendering.method = section.one_of("method", known.methods);
-    if (std::find(known.methods.begin(), known.methods.end(), rendering.method) !=
+    const auto given = read_dials(section);
+    if (std::find(known.methods.begin(), known.methods.end(), rendering.method) ==
         known.methods.end())
-        expect_only_dials(section, fmt::format("method '{}'", rendering.method),
-                          dials_of(rendering.method));
-    section.whole("bands", {1, 6}, rendering.bands);
-    rendering.law = section.one_of("law", known.laws, rendering.law);
-    rendering.thickness = section.one_of("thickness", known.thickness_kinds, rendering.thickness);
-    section.whole("directions", {1, 65536}, rendering.directions);
-    section.whole("depth_map", {16, 16384}, rendering.depth_map);
-    if (const int least = 2 * rendering.bands * rendering.bands; rendering.directions < least)
-        section.refuse("directions",
-                       fmt::format("at least {}, two for each coefficient of {} bands", least,
-                                   rendering.bands));
+        return rendering;
+    if (auto dials = known.complete(rendering.method, given))
+        rendering.dials = std::move(*dials);
+    else
+        section.note(dials.error().dial,
+                     fmt::format("{} in [[condition]] {}", dials.error().dial, dials.error().what));
     return rendering;
+}
+
+void read_own_images(Section& section) {
+    section.one_of("source", {"images"});
+    if (section.has("method"))
+        section.note("method", "a condition with both 'method' and 'source', expected one: its "
+                               "pictures are rendered, or lie there already");
+    for (const auto& entry : section.rest())
+        section.note(entry.key, fmt::format("{} in [[condition]] is no dial of source \"images\", "
+                                            "which has none",
+                                            entry.key));
 }
 
 Condition read_condition(Section section, const KnownNames& known) {
@@ -125,25 +134,17 @@ Condition read_condition(Section section, const KnownNames& known) {
     condition.line = section.line();
     condition.id.value = section.id();
     condition.label = section.text("label", condition.id.value);
-    const bool has_method = section.has("method");
     if (section.has("source")) {
         condition.source = OwnImages{};
-        section.one_of("source", {"images"});
-        if (has_method)
-            section.note("method", "a condition with both 'method' and 'source', expected one: its "
-                                   "pictures are rendered, or lie there already");
-        else
-            expect_only_dials(section, "source \"images\"", {});
-    } else if (has_method) {
+        read_own_images(section);
+    } else if (section.has("method")) {
         condition.source = read_rendering(section, known);
     } else {
         section.note("id", fmt::format("[[condition]] '{}' has no 'method', expected one of {}, or "
                                        "source = \"images\"",
                                        condition.id.value, fmt::join(known.methods, ", ")));
+        section.rest();
     }
-    for (const auto& dial : all_dials)
-        section.has(dial); // named above where it does not belong
-    section.expect_nothing_else();
     return condition;
 }
 
@@ -169,14 +170,49 @@ Scene read_scene(Section section, const KnownNames& known, Pictures pictures) {
     return scene;
 }
 
+std::array<double, 3> to_light(Section& section, Pictures pictures) {
+    return section.direction("to_light", pictures == Pictures::Rendered
+                                             ? std::nullopt
+                                             : std::optional(Light{}.to_light));
+}
+
+Light read_light(Section section) {
+    Light light;
+    if (section.has("position_mm")) {
+        light.kind = Light::Kind::Near;
+        light.position_mm = section.triple("position_mm", {-1e6, 1e6}, light.position_mm);
+        section.number("reference_mm", {0.001, 1e6}, light.reference_mm);
+        if (section.has("to_light"))
+            section.note("to_light",
+                         "a light with both 'to_light' and 'position_mm', expected one: "
+                         "it is far away, or near");
+    } else {
+        light.to_light = to_light(section, Pictures::Rendered);
+    }
+    light.intensity = section.triple("intensity", {0, 1e6}, light.intensity);
+    section.expect_nothing_else();
+    return light;
+}
+
 Variant read_variant(Section section, Pictures pictures) {
     Variant variant;
     variant.line = section.line();
     variant.id.value = section.id();
     variant.label = section.text("label", variant.id.value);
-    variant.to_light = section.direction("to_light", pictures == Pictures::Rendered
-                                                         ? std::nullopt
-                                                         : std::optional(variant.to_light));
+    if (section.has("light")) {
+        variant.lights.clear();
+        for (auto& light : section.tables("light"))
+            variant.lights.push_back(read_light(std::move(light)));
+        if (section.has("to_light"))
+            section.note("to_light",
+                         "a variant with both 'to_light' and [[variant.light]], expected "
+                         "one: a single light, or several");
+        if (variant.lights.empty() || variant.lights.size() > most_lights)
+            section.note("light", fmt::format("{} lights in [[variant]], expected 1 to {}",
+                                              variant.lights.size(), most_lights));
+    } else {
+        variant.lights = {{.to_light = to_light(section, pictures)}};
+    }
     section.expect_nothing_else();
     return variant;
 }

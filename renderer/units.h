@@ -8,6 +8,7 @@ namespace renderer {
 
 struct Millimetres {
     double value{};
+    bool operator==(const Millimetres&) const = default;
 };
 
 struct PerMillimetre {

@@ -83,21 +83,30 @@ Subject model_subject(const Options& options) {
     subject.scene.model = options.subject;
     const auto& l = options.to_light;
     const auto unit = glm::normalize(glm::dvec3(l[0], l[1], l[2]));
-    subject.variant.to_light = {unit.x, unit.y, unit.z};
+    subject.variant.lights = {{.to_light = {unit.x, unit.y, unit.z}}};
     return subject;
+}
+
+std::string words_of(const protocols::Light& light) {
+    const bool is_far = light.kind == protocols::Light::Kind::Far;
+    const auto& [x, y, z] = is_far ? light.to_light : light.position_mm;
+    const auto& [r, g, b] = light.intensity;
+    return fmt::format("{} {} {} {} reference_mm {} intensity {} {} {}", is_far ? "far" : "near", x,
+                       y, z, light.reference_mm, r, g, b);
 }
 
 /// Equal for equal pictures, so that a file is only gone on with when it is of the same one.
 std::string recipe_of(const Options& options, const Subject& subject, const LoadedModel& model) {
     const auto& s = subject.scene;
-    const auto& l = subject.variant.to_light;
-    return fmt::format(
-        "model {} {} up {} {} {} turn {} elevation {} diameter_mm {} material {} to_light {} {} {} "
-        "pixels {} x {} boundary {} roughness {} anisotropy {} sun_degrees {}",
+    auto recipe = fmt::format(
+        "model {} {} up {} {} {} turn {} elevation {} diameter_mm {} material {} pixels {} x {} "
+        "boundary {} roughness {} anisotropy {} sun_degrees {}",
         model.record.file, model.record.sha256, s.up[0], s.up[1], s.up[2], s.turn_degrees,
-        s.elevation_degrees, s.diameter_mm, s.material, l[0], l[1], l[2], subject.study.width,
-        subject.study.height, options.boundary, options.roughness, options.anisotropy,
-        options.sun_degrees);
+        s.elevation_degrees, s.diameter_mm, s.material, subject.study.width, subject.study.height,
+        options.boundary, options.roughness, options.anisotropy, options.sun_degrees);
+    for (const auto& light : subject.variant.lights)
+        recipe += " light " + words_of(light);
+    return recipe;
 }
 
 reference::Film

@@ -11,8 +11,13 @@
 
 namespace experiment::stimuli {
 
-/// The model on its turntable, its material, the camera, and the variant's light.
+/// The model on its turntable, its material and the camera; its lights are still to come.
 /// Errors: an unknown material.
+tl::expected<renderer::Scene, std::string> seen_scene(const protocols::Study& study,
+                                                      const protocols::Scene& scene,
+                                                      const renderer::geometry::Mesh& mesh);
+
+/// The same with the variant's lights.
 tl::expected<renderer::Scene, std::string> lit_scene(const protocols::Study& study,
                                                      const protocols::Scene& scene,
                                                      const protocols::Variant& variant,

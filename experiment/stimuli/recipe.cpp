@@ -15,6 +15,15 @@ std::string described(const protocols::Scene& scene) {
                        scene.up[0], scene.up[1], scene.up[2], scene.diameter_mm, scene.material);
 }
 
+std::string described(const protocols::Light& light) {
+    const auto& where =
+        light.kind == protocols::Light::Kind::Far ? light.to_light : light.position_mm;
+    return fmt::format("light {} {} {} {} at {} intensity {} {} {}\n",
+                       light.kind == protocols::Light::Kind::Far ? "toward" : "in", where[0],
+                       where[1], where[2], light.reference_mm, light.intensity[0],
+                       light.intensity[1], light.intensity[2]);
+}
+
 std::string described(const protocols::Condition& condition) {
     std::string text = fmt::format("condition {}", condition.id.value);
     if (const auto* rendering = std::get_if<protocols::Rendering>(&condition.source))
@@ -27,15 +36,8 @@ std::string described(const protocols::Condition& condition) {
 
 std::map<std::string, std::string> dials(const protocols::Rendering& rendering) {
     std::map<std::string, std::string> named{{"method", rendering.method}};
-    if (rendering.method != "phong")
-        named["law"] = rendering.law;
-    if (rendering.method == "green")
-        named["depth_map"] = fmt::format("{}", rendering.depth_map);
-    if (rendering.method == "shss") {
-        named["bands"] = fmt::format("{}", rendering.bands);
-        named["directions"] = fmt::format("{}", rendering.directions);
-        named["thickness"] = rendering.thickness;
-    }
+    for (const auto& [name, value] : rendering.dials)
+        named[name] = std::visit([](const auto& one) { return fmt::format("{}", one); }, value);
     return named;
 }
 
@@ -49,8 +51,8 @@ std::string recipe(const protocols::Study& study,
                                    PAIRLIGHT_PROGRAM_VERSION, renderer, model.file, model.sha256,
                                    study.width, study.height, samples, study.surround.code);
     text += described(scene);
-    text += fmt::format("light {} {} {}\n", variant.to_light[0], variant.to_light[1],
-                        variant.to_light[2]);
+    for (const auto& light : variant.lights)
+        text += described(light);
     for (const auto& condition : study.conditions)
         text += described(condition);
     return protocols::sha256_hexadecimal(text);

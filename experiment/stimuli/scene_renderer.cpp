@@ -1,5 +1,4 @@
-// A thickness field is traced once for each kind and number of directions, with as many bands as
-// anyone asks for.
+// Every method is made from one subject, which hands out thickness fields that are traced once.
 #include "experiment/stimuli/scene_renderer.h"
 
 #include "experiment/stimuli/lit_scene.h"
@@ -8,12 +7,14 @@
 #include "protocols/digest.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/image_files.h"
+#include "renderer/methods/catalogue.h"
 #include "renderer/methods/picture.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
+#include <tuple>
 #include <utility>
 
 namespace experiment::stimuli {
@@ -30,59 +31,64 @@ using Expected = tl::expected<T, std::string>;
 
 namespace {
 
-/// What a field is traced for: conditions that agree in these share one.
-using FieldKey = std::pair<std::string, int>;
-
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-thickness::Kind thickness_kind(const std::string& name) {
-    if (name == "first")
-        return thickness::Kind::First;
-    return name == "span" ? thickness::Kind::Span : thickness::Kind::Sum;
-}
+/// Thickness of one mesh, traced once for every kind and number of directions, with as many bands
+/// as the study's methods usually ask for.
+class TracedFields {
+  public:
+    using Field = std::shared_ptr<const thickness::ThicknessField>;
 
-methods::Law law(const std::string& name) {
-    return name == "paper" ? methods::Law::Paper : methods::Law::Physical;
-}
+    TracedFields(LoadedModel& model, const thickness::Progress& progress)
+        : model_(model), progress_(progress) {}
 
-methods::MethodSettings settings(const Rendering& rendering) {
-    if (rendering.method == "green")
-        return methods::GreenSettings{rendering.depth_map, law(rendering.law)};
-    if (rendering.method == "shss")
-        return methods::ShssSettings{rendering.bands, law(rendering.law)};
-    return methods::PhongSettings{};
-}
-
-/// Green needs a field too under the paper's law: its D_n is what thickness is divided by.
-bool needs_field(const Rendering& rendering) {
-    return rendering.method == "shss" || (rendering.method == "green" && rendering.law == "paper");
-}
-
-FieldKey field_key(const Rendering& rendering) {
-    return rendering.method == "shss" ? FieldKey{rendering.thickness, rendering.directions}
-                                      : FieldKey{"sum", Rendering{}.directions};
-}
-
-struct TracedField {
-    int bands = 1;
-    double seconds = 0;
-    thickness::ThicknessField field;
-};
-
-std::map<FieldKey, TracedField> needed_fields(const protocols::Study& study) {
-    std::map<FieldKey, TracedField> needed;
-    for (const auto& condition : study.conditions)
-        if (const auto* rendering = std::get_if<Rendering>(&condition.source);
-            rendering != nullptr && needs_field(*rendering)) {
-            auto& bands = needed[field_key(*rendering)].bands;
-            bands = std::max(bands, rendering->method == "shss" ? rendering->bands : 1);
+    Expected<Field> field(const thickness::FieldOptions& asked) {
+        auto options = asked;
+        options.bands = std::max(options.bands, thickness::FieldOptions{}.bands);
+        auto& traced = fields_[{options.kind, options.directions, options.bands}];
+        if (traced.field == nullptr) {
+            const auto start = Clock::now();
+            auto field = thickness::compute_thickness_field(model_.mesh, options, progress_);
+            if (!field)
+                return tl::unexpected(field.error());
+            remark(field->statistics);
+            traced.field = std::make_shared<const thickness::ThicknessField>(std::move(*field));
+            traced.seconds = seconds_since(start);
+            seconds_spent_ += traced.seconds;
         }
-    return needed;
-}
+        seconds_owed_ += traced.seconds;
+        return traced.field;
+    }
+
+    /// What tracing would add to the time that whoever asked since the last call has taken, had
+    /// nobody else asked for the same before.
+    double take_seconds_saved() {
+        return std::exchange(seconds_owed_, 0) - std::exchange(seconds_spent_, 0);
+    }
+
+  private:
+    struct Traced {
+        double seconds = 0;
+        Field field;
+    };
+
+    void remark(const renderer::geometry::RayStatistics& rays) {
+        if (rays.retried + rays.fallbacks > 0)
+            model_.remarks.push_back(
+                fmt::format("{} of {} rays were traced again, {} decided by winding number",
+                            rays.retried, rays.rays, rays.fallbacks));
+    }
+
+    LoadedModel& model_;
+    const thickness::Progress& progress_;
+    std::map<std::tuple<thickness::Kind, int, int>, Traced> fields_;
+    double seconds_spent_ = 0;
+    double seconds_owed_ = 0;
+};
 
 } // namespace
 
@@ -113,46 +119,31 @@ Expected<SceneRenderer> SceneRenderer::prepare(const protocols::Study& study,
 }
 
 Expected<void> SceneRenderer::prepare_contenders(const std::function<void(double)>& progress) {
-    auto fields = needed_fields(*study_);
-    double traced = 0;
-    for (auto& [key, needed] : fields) {
-        const auto start = Clock::now();
-        auto field = thickness::compute_thickness_field(
-            model_.mesh,
-            {.kind = thickness_kind(key.first), .bands = needed.bands, .directions = key.second},
-            [&](double fraction) {
-                progress((traced + fraction) / static_cast<double>(fields.size()));
-            });
-        if (!field)
-            return tl::unexpected(field.error());
-        needed.field = std::move(*field);
-        needed.seconds = seconds_since(start);
-        if (const auto& rays = needed.field.statistics; rays.retried + rays.fallbacks > 0)
-            model_.remarks.push_back(
-                fmt::format("{} of {} rays were traced again, {} decided by winding number",
-                            rays.retried, rays.rays, rays.fallbacks));
-        ++traced;
-    }
-
+    const auto seen = seen_scene(*study_, *scene_, model_.mesh);
+    if (!seen)
+        return tl::unexpected(seen.error());
     auto surface = methods::Surface::upload(model_.mesh);
     if (!surface)
         return tl::unexpected(surface.error());
+    TracedFields fields(model_, progress);
+    const methods::Subject subject{
+        .mesh = model_.mesh,
+        .surface = *surface,
+        .material = seen->material,
+        .placement = seen->placement,
+        .field = [&](const auto& options) { return fields.field(options); },
+        .progress = progress};
     for (const auto& condition : study_->conditions) {
         const auto* rendering = std::get_if<Rendering>(&condition.source);
         if (rendering == nullptr)
             continue;
         const auto start = Clock::now();
-        const TracedField* traced_field =
-            needs_field(*rendering) ? &fields.at(field_key(*rendering)) : nullptr;
-        auto method =
-            methods::prepare_method(settings(*rendering), *surface,
-                                    traced_field != nullptr ? &traced_field->field : nullptr);
+        auto method = methods::prepare_method(rendering->method, rendering->dials, subject);
         if (!method)
             return tl::unexpected(
                 fmt::format("condition \"{}\": {}", condition.id.value, method.error()));
         contenders_.push_back(
-            {&condition, std::move(*method),
-             seconds_since(start) + (traced_field != nullptr ? traced_field->seconds : 0)});
+            {&condition, std::move(*method), seconds_since(start) + fields.take_seconds_saved()});
     }
     return {};
 }

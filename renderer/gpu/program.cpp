@@ -3,6 +3,7 @@
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -70,6 +71,12 @@ Expected<Object> compile(GLenum kind, std::span<const ShaderPart> parts) {
     return shader;
 }
 
+bool is_linked(const Object& program) {
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
+    return linked != GL_FALSE;
+}
+
 } // namespace
 
 Expected<Program> Program::link(std::span<const ShaderPart> vertex,
@@ -87,11 +94,27 @@ Expected<Program> Program::link(std::span<const ShaderPart> vertex,
     glLinkProgram(program.name());
     glDetachShader(program.name(), vertex_shader->name());
     glDetachShader(program.name(), fragment_shader->name());
-    GLint linked = GL_FALSE;
-    glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
-    if (linked == GL_FALSE)
+    if (!is_linked(program))
         return tl::make_unexpected(fmt::format("linking ({}) with ({}): {}", places(vertex),
                                                places(fragment), program_log(program.name())));
+    return Program(std::move(program));
+}
+
+Expected<Program> Program::link_capturing(std::span<const ShaderPart> vertex,
+                                          std::span<const char* const> captured) {
+    const auto shader = compile(GL_VERTEX_SHADER, vertex);
+    if (!shader)
+        return tl::make_unexpected(shader.error());
+    Object program(glCreateProgram(), delete_program);
+    glAttachShader(program.name(), shader->name());
+    glTransformFeedbackVaryings(program.name(), static_cast<GLsizei>(captured.size()),
+                                captured.data(), GL_INTERLEAVED_ATTRIBS);
+    glLinkProgram(program.name());
+    glDetachShader(program.name(), shader->name());
+    if (!is_linked(program))
+        return tl::make_unexpected(fmt::format("linking ({}), capturing {}: {}", places(vertex),
+                                               fmt::join(captured, ", "),
+                                               program_log(program.name())));
     return Program(std::move(program));
 }
 

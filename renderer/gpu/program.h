@@ -22,6 +22,11 @@ class Program {
     static Expected<Program> link(std::span<const ShaderPart> vertex,
                                   std::span<const ShaderPart> fragment);
 
+    /// A vertex shader alone, whose outputs `captured` (in this order, without gaps) are written
+    /// into a buffer instead of being drawn.  Errors: as above, and outputs there are not.
+    static Expected<Program> link_capturing(std::span<const ShaderPart> vertex,
+                                            std::span<const char* const> captured);
+
     void use() const;
 
   private:

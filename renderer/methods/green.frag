@@ -1,10 +1,10 @@
-// Phong's model and light through a thickness read from the light's depth map.  [Green2004]
+// Phong's model and light through a thickness read from every light's depth map.  [Green2004]
 
-layout(binding = 0) uniform sampler2D nearest_to_light; // z over depth_range; 1: nothing there
-layout(std140, binding = 1) uniform Light {
-    mat4 light_from_world; // x, y in -1..1 over the map; z in mm from the plane nearest the light
-    float texel;           // mm
-    float depth_range;     // mm
+layout(binding = 0) uniform sampler2D nearest_to_light[LIGHTS]; // z over depth_range; 1: nothing
+layout(std140, binding = 1) uniform Maps {
+    mat4 light_from_world[8]; // x, y in -1..1 over the map; z in mm from the plane nearest the light
+    float texel;              // mm
+    float depth_range;        // mm
 };
 
 in vec3 world_position;
@@ -13,14 +13,14 @@ out vec4 colour;
 
 // Depth behind the first surface the light meets.  A point of that surface lies up to a texel times
 // its slope behind the depth stored for its texel: that much is not counted.
-float thickness(vec3 N) {
-    vec3 here = (light_from_world * vec4(world_position, 1.0)).xyz;
-    ivec2 size = textureSize(nearest_to_light, 0);
+float thickness(int i, vec3 N) {
+    vec3 here = (light_from_world[i] * vec4(world_position, 1.0)).xyz;
+    ivec2 size = textureSize(nearest_to_light[i], 0);
     ivec2 place = clamp(ivec2(floor((here.xy * 0.5 + 0.5) * vec2(size))), ivec2(0), size - 1);
-    float stored = texelFetch(nearest_to_light, place, 0).r;
+    float stored = texelFetch(nearest_to_light[i], place, 0).r;
     if (stored == 1.0)
         return 0.0;
-    float cosine = abs(dot(N, to_light.xyz));
+    float cosine = abs(dot(N, light[i].xyz));
     float tangent = sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 1e-6);
     float bias = texel * min(tangent, 4.0);
     return max(here.z - stored * depth_range - bias, 0.0);
@@ -28,5 +28,8 @@ float thickness(vec3 N) {
 
 void main() {
     vec3 N = unit(world_normal);
-    colour = vec4(phong(N, unit(eye.xyz - world_position)) + scatter(thickness(N)), 1.0);
+    vec3 sum = phong(N, world_position);
+    for (int i = 0; i < LIGHTS; ++i)
+        sum += scatter(i, thickness(i, N), world_position);
+    colour = vec4(sum, 1.0);
 }

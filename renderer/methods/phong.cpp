@@ -5,7 +5,6 @@
 #include "renderer/methods/phong.vert.h"
 #include "renderer/methods/shading.h"
 
-#include <array>
 #include <utility>
 
 namespace renderer::methods {
@@ -16,9 +15,7 @@ class Phong : public Method {
   public:
     explicit Phong(SurfaceShader shader) : shader_(std::move(shader)) {}
 
-    Expected<void> relight(const Scene& scene) override {
-        return model_light(scene).map([](const ModelLight&) {});
-    }
+    Expected<void> update(const Scene& scene, double) override { return shader_.adapt(scene); }
 
     void draw(const Scene& scene) override { shader_.draw(scene); }
 
@@ -30,10 +27,20 @@ class Phong : public Method {
 
 } // namespace
 
+Description describe_phong() {
+    return {.name = "phong",
+            .label = "Phong",
+            .source = "",
+            .dials = {},
+            .prepare = [](const Dials&, const Subject& subject) {
+                return prepare_phong(subject.surface);
+            }};
+}
+
 Expected<std::unique_ptr<Method>> prepare_phong(std::shared_ptr<const Surface> surface) {
-    const std::array vertex{gpu::ShaderPart{"phong.vert", phong_vert}};
-    const std::array fragment{gpu::ShaderPart{"phong.frag", phong_frag}};
-    auto shader = SurfaceShader::prepare(std::move(surface), {}, vertex, fragment);
+    auto shader = SurfaceShader::prepare(
+        std::move(surface), {},
+        {.vertex = {{"phong.vert", phong_vert}}, .fragment = {{"phong.frag", phong_frag}}});
     if (!shader)
         return tl::make_unexpected(shader.error());
     return std::make_unique<Phong>(std::move(*shader));

@@ -5,5 +5,5 @@ in vec3 world_normal;
 out vec4 colour;
 
 void main() {
-    colour = vec4(phong(unit(world_normal), unit(eye.xyz - world_position)), 1.0);
+    colour = vec4(phong(unit(world_normal), world_position), 1.0);
 }

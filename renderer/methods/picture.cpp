@@ -60,8 +60,8 @@ render_picture(Method& method, const Scene& scene, int width, int height, int sa
     const auto target = gpu::Target::create(width, height);
     if (!target)
         return tl::make_unexpected(target.error());
-    if (const auto lit = method.relight(scene); !lit)
-        return tl::make_unexpected(lit.error());
+    if (const auto ready = method.update(scene); !ready)
+        return tl::make_unexpected(ready.error());
 
     std::vector<float> drawn;
     std::vector<double> sums(4 * static_cast<std::size_t>(width) *

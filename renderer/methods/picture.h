@@ -18,7 +18,7 @@ namespace renderer::methods {
 /// Errors: EXPECTS samples >= 1.
 std::vector<glm::dvec2> sample_offsets(int samples);
 
-/// Relights `method` and draws it `samples` times, each time moved by a part of a pixel, with
+/// Updates `method` and draws it `samples` times, each time moved by a part of a pixel, with
 /// black behind; the mean is taken in linear light and double precision.  Coverage is the share of
 /// samples that met the object, and colours are premultiplied by it.
 /// Needs a current OpenGL 4.5 context, the one the method was prepared in.

@@ -2,10 +2,12 @@
 
 in vec3 world_position;
 in vec3 world_normal;
-in float thickness;
+in float thickness[LIGHTS];
 out vec4 colour;
 
 void main() {
-    vec3 N = unit(world_normal);
-    colour = vec4(phong(N, unit(eye.xyz - world_position)) + scatter(thickness), 1.0);
+    vec3 light = phong(unit(world_normal), world_position);
+    for (int i = 0; i < LIGHTS; ++i)
+        light += scatter(i, thickness[i], world_position);
+    colour = vec4(light, 1.0);
 }

@@ -51,8 +51,8 @@ Expected<std::shared_ptr<const Surface>> Surface::upload(const geometry::Mesh& m
 
 gpu::VertexArray Surface::vertex_array() const {
     gpu::VertexArray array;
-    array.feed(0, positions_, 3);
-    array.feed(1, normals_, 3);
+    array.feed(0, positions_, {.components = 3});
+    array.feed(1, normals_, {.components = 3});
     array.set_triangles(triangles_);
     return array;
 }

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -25,10 +24,6 @@ double versine(Radians angle) {
 
 } // namespace
 
-bool has_sun(const Illumination& illumination) {
-    return std::ranges::any_of(illumination.sun.irradiance, [](double e) { return e > 0; });
-}
-
 double solid_angle(const Sun& sun) {
     return 2 * std::numbers::pi * versine(sun.half_angle);
 }
@@ -45,15 +40,21 @@ glm::dvec3 sample(const Sun& sun, double u1, double u2) {
 }
 
 Expected<void> check_reachable(const Illumination& illumination, const Boundary& boundary) {
-    const double degrees = illumination.sun.half_angle.value * 180 / std::numbers::pi;
-    // 1e-9: an angle that was given in degrees and has been to radians and back
-    if (boundary.kind == BoundaryKind::Smooth && has_sun(illumination) &&
-        degrees < least_half_angle_degrees - 1e-9)
-        return tl::unexpected(fmt::format(
-            "a smooth boundary under a sun of half-angle {:g} degrees: no path finds it through "
-            "the refraction, expected at least {:g} degrees, or a boundary that is matched or "
-            "rough",
-            degrees, least_half_angle_degrees));
+    const bool is_smooth = boundary.kind == BoundaryKind::Smooth;
+    if (is_smooth && !illumination.lamps.empty())
+        return tl::unexpected(std::string(
+            "a smooth boundary near a lamp: no path finds a point through the refraction, expected "
+            "a boundary that is matched or rough"));
+    for (const auto& sun : illumination.suns) {
+        const double degrees = sun.half_angle.value * 180 / std::numbers::pi;
+        // 1e-9: an angle that was given in degrees and has been to radians and back
+        if (is_smooth && degrees < least_half_angle_degrees - 1e-9)
+            return tl::unexpected(fmt::format(
+                "a smooth boundary under a sun of half-angle {:g} degrees: no path finds it "
+                "through the refraction, expected at least {:g} degrees, or a boundary that is "
+                "matched or rough",
+                degrees, least_half_angle_degrees));
+    }
     if (boundary.kind == BoundaryKind::Rough &&
         !(boundary.roughness >= least_roughness && boundary.roughness <= 1))
         return tl::unexpected(fmt::format("a rough boundary of roughness {:g}, expected {:g}..1; "

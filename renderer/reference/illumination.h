@@ -1,4 +1,4 @@
-// Where light comes from: everywhere alike, and a sun.
+// Where light comes from: everywhere alike, suns far away, lamps nearby.
 #pragma once
 
 #include "renderer/expected.h"
@@ -7,6 +7,8 @@
 #include "renderer/units.h"
 
 #include <glm/vec3.hpp>
+
+#include <vector>
 
 namespace renderer::reference {
 
@@ -17,12 +19,18 @@ struct Sun {
     Radians half_angle{0};        ///< 0: all from one direction
 };
 
-struct Illumination {
-    Spectrum<3> sky{}; ///< radiance from everywhere
-    Sun sun;
+/// A point nearby, outside the body.
+struct Lamp {
+    glm::dvec3 position{0, 0, 1};
+    Spectrum<3> irradiance{}; ///< on a surface that faces it at the distance `reference`
+    double reference = 1;
 };
 
-bool has_sun(const Illumination& illumination);
+struct Illumination {
+    Spectrum<3> sky{}; ///< radiance from everywhere
+    std::vector<Sun> suns;
+    std::vector<Lamp> lamps;
+};
 
 /// Solid angle of the sun's disc; 0 for a direction.
 double solid_angle(const Sun& sun);
@@ -34,9 +42,9 @@ bool is_toward(const Sun& sun, glm::dvec3 direction);
 glm::dvec3 sample(const Sun& sun, double u1, double u2);
 
 /// Whether paths can find this light through that boundary.
-/// Errors: a smooth boundary bends light, so that a sun of less than 2 degrees' half-angle cannot
-///         be reached (exactly: a direction never, a small disc too rarely to trust); a roughness
-///         outside 0.1..1; what to use instead.
+/// Errors: a smooth boundary bends light, so that a lamp, or a sun of less than 2 degrees'
+///         half-angle, cannot be reached (exactly: a direction never, a small disc too rarely to
+///         trust); a roughness outside 0.1..1; what to use instead.
 Expected<void> check_reachable(const Illumination& illumination, const Boundary& boundary);
 
 } // namespace renderer::reference

@@ -1,10 +1,10 @@
-// Paths from the camera, the light they collect, and pixels in parallel.
+// Paths from the camera, pixels in parallel.
 #include "renderer/reference/path_tracer.h"
 
 #include "renderer/contract.h"
 #include "renderer/geometry/ray_scene.h"
+#include "renderer/reference/light_collector.h"
 #include "renderer/reference/mesh_body.h"
-#include "renderer/reference/phase.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -15,6 +15,7 @@
 #include <atomic>
 #include <cmath>
 #include <numbers>
+#include <variant>
 #include <vector>
 
 namespace renderer::reference {
@@ -23,124 +24,6 @@ namespace {
 
 // Pixels of one task: enough to forget its start, few enough to keep all threads busy to the end.
 constexpr std::size_t pixels_in_task = 256;
-
-/// Sums the light that finds a path.
-template <std::size_t N>
-class LightCollector final : public WalkEvents<N> {
-  public:
-    LightCollector(const Picture& picture, BodyTracer& tracer, double light_threshold)
-        : medium_(picture.medium), illumination_(picture.illumination),
-          kind_(picture.medium.index == 1 ? BoundaryKind::Matched : picture.boundary.kind),
-          tracer_(tracer), offset_(picture.body->offset()), threshold_(light_threshold),
-          disc_(solid_angle(picture.illumination.sun)), has_sun_(has_sun(picture.illumination)) {
-        // The irradiance of a facing surface is radiance times pi sin^2: a little less than the
-        // disc's solid angle.
-        const double sine = std::sin(illumination_.sun.half_angle.value);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double e = illumination_.sun.irradiance[k];
-            sun_radiance_[k] = disc_ > 0 ? e / (std::numbers::pi * sine * sine) : 0;
-            sun_power_[k] = disc_ > 0 ? sun_radiance_[k] * disc_ : e;
-        }
-    }
-
-    void collided(const Path<N>& path, const Spectrum<N>&, PathRandom& random) override {
-        if (!has_sun_ || kind_ != BoundaryKind::Matched)
-            return;
-        const double worth = light_worth(path);
-        const double asking = worth >= threshold_ ? 1 : worth / threshold_;
-        if (asking <= 0 || (asking < 1 && random.next() >= asking))
-            return;
-        const glm::dvec3 to_light = toward_sun(random);
-        const double turned =
-            henyey_greenstein(glm::dot(path.direction, to_light), medium_.anisotropy);
-        const double length = interior_length(tracer_, path.position, to_light);
-        if (std::isinf(length))
-            return;
-        Spectrum<N> weight;
-        for (std::size_t k = 0; k < N; ++k)
-            weight[k] =
-                path.weight[k] * turned / asking * std::exp(-extinction(medium_, k) * length);
-        collect(weight, sun_power_, share_of_connection(turned));
-    }
-
-    void
-    met_surface(const Path<N>& path, const RoughSurface& surface, PathRandom& random) override {
-        if (!has_sun_)
-            return;
-        const glm::dvec3 to_light = toward_sun(random);
-        const bool is_lit_side = (glm::dot(to_light, surface.normal) > 0) != path.is_inside;
-        if (!is_lit_side)
-            return;
-        const double value = rough_value(surface, -path.direction, to_light);
-        const glm::dvec3 outward = path.is_inside ? -surface.normal : surface.normal;
-        if (value <= 0 || !tracer_.along(path.position + offset_ * outward, to_light).empty())
-            return;
-        Spectrum<N> weight = path.weight;
-        for (auto& w : weight)
-            w *= value;
-        collect(weight, sun_power_,
-                share_of_connection(rough_density(surface, -path.direction, to_light)));
-    }
-
-    void escaped(const Path<N>& path) override {
-        collect(path.weight, illumination_.sky, 1);
-        if (has_sun_ && is_toward(illumination_.sun, path.direction))
-            collect(path.weight, sun_radiance_, share_of_turn(path.turn_density));
-    }
-
-    void gambled(const Spectrum<N>&) override {}
-
-    void leaked() override { ++leaks_; }
-
-    Spectrum<3> taken() {
-        const auto all = light_;
-        light_ = {};
-        return all;
-    }
-
-    std::uint64_t leaks() const { return leaks_; }
-
-  private:
-    /// What a connection could add at most: weight times what the nearest surface lets through.
-    double light_worth(const Path<N>& path) const {
-        const double clearance = tracer_.clearance(path.position);
-        double worth = 0;
-        for (std::size_t k = 0; k < N; ++k)
-            worth = std::max(worth, path.weight[k] * std::exp(-extinction(medium_, k) * clearance));
-        return worth;
-    }
-
-    glm::dvec3 toward_sun(PathRandom& random) const {
-        if (disc_ == 0)
-            return illumination_.sun.to_light;
-        const double u1 = random.next();
-        return sample(illumination_.sun, u1, random.next());
-    }
-
-    /// A direction into the disc may be found by asking for the sun or by turning: each counts in
-    /// proportion to how likely it was to find it.  [Veach1995]
-    double share_of_connection(double turn_density) const {
-        return disc_ == 0 ? 1 : 1 / (1 + turn_density * disc_);
-    }
-
-    double share_of_turn(double turn_density) const {
-        return turn_density == 0 ? 1 : turn_density * disc_ / (1 + turn_density * disc_);
-    }
-
-    void collect(const Spectrum<N>& weight, const Spectrum<3>& light, double share) {
-        for (std::size_t k = 0; k < 3; ++k)
-            light_[k] += share * weight[N == 1 ? 0 : k] * light[k];
-    }
-
-    const Medium& medium_;
-    const Illumination& illumination_;
-    BoundaryKind kind_;
-    BodyTracer& tracer_;
-    double offset_, threshold_, disc_;
-    bool has_sun_;
-    Spectrum<3> sun_radiance_{}, sun_power_{}, light_{};
-    std::uint64_t leaks_ = 0;
-};
 
 /// The line of sight through any point of the picture.
 class Eye {
@@ -180,7 +63,9 @@ Counts trace_pixels(const Picture& picture,
                     std::vector<PixelBatch>& batches) {
     const geometry::DenormalsAreZero guard;
     const auto tracer = picture.body->tracer();
-    LightCollector<N> collector(picture, *tracer, tactics.light_threshold);
+    LightCollector<N> collector(
+        {picture.medium, picture.boundary, picture.illumination, picture.body->offset()}, *tracer,
+        tactics.light_threshold);
     Walk<N> walk(picture.medium, picture.boundary, *picture.body, *tracer, collector, tactics.walk);
     const Eye eye(picture.camera, film.width, film.height);
     const auto width = static_cast<std::size_t>(film.width);
@@ -224,21 +109,32 @@ Spectrum<3> matching_sky(const renderer::Scene& scene) {
             radiance(scene.ambient.b, k.ambient.b, k.diffuse.b + k.scatter.b)};
 }
 
+/// E = pi I_p
+Spectrum<3> irradiance_of(LinearRgb intensity) {
+    const auto channel = [](float light) { return std::numbers::pi * static_cast<double>(light); };
+    return {channel(intensity.r), channel(intensity.g), channel(intensity.b)};
+}
+
+Illumination illumination_of(const renderer::Scene& scene, Radians half_angle) {
+    Illumination illumination{matching_sky(scene), {}, {}};
+    for (const auto& light : scene.lights) {
+        const auto irradiance = irradiance_of(light.intensity);
+        if (const auto* far = std::get_if<DirectionalLight>(&light.place))
+            illumination.suns.push_back({glm::normalize(far->to_light), irradiance, half_angle});
+        else if (const auto* near = std::get_if<PointLight>(&light.place))
+            illumination.lamps.push_back({near->position, irradiance, near->reference.value});
+    }
+    return illumination;
+}
+
 } // namespace
 
 Expected<Picture> picture_of_scene(const geometry::Mesh& mesh,
                                    const renderer::Scene& scene,
                                    const ReferenceSettings& settings) {
-    const auto& i = scene.light.intensity;
-    const auto irradiance = [](float intensity) {
-        return std::numbers::pi * static_cast<double>(intensity);
-    };
     Picture picture{.medium = medium_from_reduced(scene.material.medium, settings.anisotropy),
                     .boundary = settings.boundary,
-                    .illumination = {.sky = matching_sky(scene),
-                                     .sun = {glm::normalize(scene.light.to_light),
-                                             {irradiance(i.r), irradiance(i.g), irradiance(i.b)},
-                                             settings.sun_half_angle}},
+                    .illumination = illumination_of(scene, settings.sun_half_angle),
                     .camera = scene.camera};
     if (const auto reachable = check_reachable(picture.illumination, picture.boundary); !reachable)
         return tl::unexpected(reachable.error());

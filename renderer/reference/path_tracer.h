@@ -17,7 +17,7 @@ namespace renderer::reference {
 /// How light is followed; no choice changes what the picture is on average.
 struct TracerTactics {
     WalkTactics walk;
-    /// A collision asks for the sun with a probability that falls with what the sun could add at
+    /// A collision asks for the lights with a probability that falls with what they could add at
     /// most: below this weight, in proportion.  0: always.
     double light_threshold = 0.1;
 };

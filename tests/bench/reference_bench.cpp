@@ -51,7 +51,7 @@ picture_of(const geometry::Mesh& mesh, double diameter, double turn, const Illum
 }
 
 const Illumination sky{.sky = {1, 1, 1}};
-const Illumination back{.sun = {glm::normalize(glm::dvec3(0, 0.3, -1)), {1, 1, 1}}};
+const Illumination back{.suns = {{glm::normalize(glm::dvec3(0, 0.3, -1)), {1, 1, 1}}}};
 
 Named scene(const std::string& name, const std::string& model) {
     if (name == "sphere-sky")
@@ -156,7 +156,7 @@ void tactics_table(const std::string& model) {
         const auto [label, picture] = scene(name, model);
         auto list = choices();
         for (auto& choice : list)
-            choice.tactics.walk.guide_axis = back.sun.to_light;
+            choice.tactics.walk.guide_axis = back.suns[0].to_light;
         std::vector<std::vector<double>> efficiency(list.size());
         std::vector<double> means(list.size());
         for (int r = 0; r < repeats; ++r)

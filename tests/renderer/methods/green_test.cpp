@@ -127,7 +127,7 @@ TEST_F(Green, ThicknessIsNeverNegativeUnderGrazingLight) {
 TEST_F(Green, SaysWhatItCannotPrepare) {
     const auto surface = *methods::Surface::upload(geometry::sphere(1, 2));
     const auto error = [&](const GreenSettings& settings) {
-        const auto method = methods::prepare_method(settings, surface);
+        const auto method = make(settings, surface, nullptr);
         return method ? std::string("no error") : method.error();
     };
     EXPECT_THAT(error({.depth_map = 0}),

@@ -5,7 +5,10 @@
 #include "renderer/geometry/mesh.h"
 #include "renderer/gpu/context.h"
 #include "renderer/harmonics/basis.h"
+#include "renderer/methods/green.h"
+#include "renderer/methods/phong.h"
 #include "renderer/methods/picture.h"
+#include "renderer/methods/shss.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -57,16 +60,22 @@ inline Scene
 scene_of(const geometry::Mesh& mesh, glm::dvec3 to_light, const Turntable& table = {}) {
     return {.placement = place(geometry::bounding_sphere(mesh), diameter, table),
             .material = colourful_material(),
-            .light = {.to_light = to_light, .intensity = {0.9F, 1.0F, 1.1F}},
+            .lights = {{DirectionalLight{to_light}, {0.9F, 1.0F, 1.1F}}},
             .ambient = {1.0F, 0.9F, 0.8F},
             .camera = frame(diameter, table, 1)};
+}
+
+/// Toward the scene's first light, which is far away.
+inline glm::dvec3 first_to_light(const Scene& scene) {
+    return std::get<DirectionalLight>(scene.lights.front().place).to_light;
 }
 
 /// Only the scattered light, so that a picture under the paper's law is 1 - d/D_n.
 inline void keep_scatter_only(Scene& scene) {
     scene.material.reflectance = {
         .ambient = {}, .diffuse = {}, .specular = {}, .scatter = {1, 1, 1}};
-    scene.light.intensity = {1, 1, 1};
+    for (auto& light : scene.lights)
+        light.intensity = {1, 1, 1};
 }
 
 struct Hit {
@@ -112,12 +121,12 @@ inline glm::dvec3 rgb(LinearRgb colour) {
             static_cast<double>(colour.b)};
 }
 
-/// Eq. 3 in double, by its words; `d` is in mm.
+/// Eq. 3 in double, by its words, under the first light; `d` is in mm.
 inline glm::dvec3
 eq3(const Scene& scene, glm::dvec3 N, glm::dvec3 V, double d, methods::Law law, double d_n) {
     const auto& k = scene.material.reflectance;
-    const auto L = glm::normalize(scene.light.to_light);
-    const auto I_p = rgb(scene.light.intensity);
+    const auto L = glm::normalize(first_to_light(scene));
+    const auto I_p = rgb(scene.lights.front().intensity);
     const double cosine = std::max(glm::dot(N, L), 0.0);
     const double highlight = cosine > 0 ? std::pow(std::max(glm::dot(glm::reflect(-L, N), V), 0.0),
                                                    static_cast<double>(k.shininess))
@@ -131,23 +140,50 @@ eq3(const Scene& scene, glm::dvec3 N, glm::dvec3 V, double d, methods::Law law, 
            I_p * (rgb(k.diffuse) * cosine + rgb(k.specular) * highlight + rgb(k.scatter) * T);
 }
 
+/// Phong has no settings.
+struct PhongSettings {};
+
+/// A method from its settings, whichever it is; the field is the caller's.
+using Made = Expected<std::unique_ptr<methods::Method>>;
+using SharedSurface = std::shared_ptr<const methods::Surface>;
+
+inline Made make(PhongSettings, SharedSurface surface, const thickness::ThicknessField*) {
+    return methods::prepare_phong(std::move(surface));
+}
+
+inline Made make(const methods::GreenSettings& settings,
+                 SharedSurface surface,
+                 const thickness::ThicknessField* field) {
+    return methods::prepare_green(settings, std::move(surface), field);
+}
+
+inline Made make(const methods::ShssSettings& settings,
+                 SharedSurface surface,
+                 const thickness::ThicknessField* field) {
+    return methods::prepare_shss(
+        settings, std::move(surface),
+        field == nullptr ? nullptr : std::make_shared<const thickness::ThicknessField>(*field));
+}
+
 /// A context, and room to prepare methods in it.
 class MethodTest : public testing::Test {
   protected:
     void SetUp() override { ASSERT_TRUE(context_) << context_.error(); }
 
+    template <class Settings>
     std::unique_ptr<methods::Method> prepare(const geometry::Mesh& mesh,
-                                             const methods::MethodSettings& settings,
+                                             const Settings& settings,
                                              const thickness::ThicknessField* field = nullptr) {
         auto surface = methods::Surface::upload(mesh);
         EXPECT_TRUE(surface) << surface.error();
-        auto method = methods::prepare_method(settings, *surface, field);
+        auto method = make(settings, *surface, field);
         EXPECT_TRUE(method) << method.error();
         return std::move(*method);
     }
 
+    template <class Settings>
     imaging::LinearImage picture(const geometry::Mesh& mesh,
-                                 const methods::MethodSettings& settings,
+                                 const Settings& settings,
                                  const Scene& scene,
                                  int size,
                                  int samples = 1,

@@ -14,7 +14,7 @@ TEST_F(Phong, LambertFacingTheLightHasTheRadianceOfItsAlbedoTimesIntensity) {
     auto scene = scene_of(sphere, {0, 0, 1});
     scene.material.reflectance = {
         .ambient = {}, .diffuse = {0.5F, 0.4F, 0.3F}, .specular = {}, .scatter = {}};
-    const auto centre = pixel(picture(sphere, methods::PhongSettings{}, scene, 65), 32, 32);
+    const auto centre = pixel(picture(sphere, PhongSettings{}, scene, 65), 32, 32);
     EXPECT_NEAR(centre.r, 0.5 * 0.9, 1e-6);
     EXPECT_NEAR(centre.g, 0.4 * 1.0, 1e-6);
     EXPECT_NEAR(centre.b, 0.3 * 1.1, 1e-6);
@@ -23,7 +23,7 @@ TEST_F(Phong, LambertFacingTheLightHasTheRadianceOfItsAlbedoTimesIntensity) {
 TEST_F(Phong, LitFromBehindOnlyTheAmbientTermIsLeft) {
     const auto sphere = geometry::sphere(1, 4);
     const auto scene = scene_of(sphere, {0, 0, -1});
-    const auto centre = pixel(picture(sphere, methods::PhongSettings{}, scene, 65), 32, 32);
+    const auto centre = pixel(picture(sphere, PhongSettings{}, scene, 65), 32, 32);
     EXPECT_FLOAT_EQ(centre.r, 0.02F * 1.0F);
     EXPECT_FLOAT_EQ(centre.g, 0.03F * 0.9F);
     EXPECT_FLOAT_EQ(centre.b, 0.04F * 0.8F);
@@ -36,7 +36,7 @@ TEST_F(Phong, AgreesWithItsEquationInDouble) {
         scene_of(body, {0.3, 0.5, 0.8}, {.turn_degrees = 20, .elevation_degrees = 35});
     auto without_scatter = scene;
     without_scatter.material.reflectance.scatter = {};
-    const auto image = picture(body, methods::PhongSettings{}, scene, size);
+    const auto image = picture(body, PhongSettings{}, scene, size);
     const auto normals = geometry::vertex_normals(body);
     const auto normal_matrix =
         glm::transpose(glm::inverse(glm::dmat3(scene.placement.world_from_model)));
@@ -66,9 +66,8 @@ TEST_F(Phong, AgreesWithItsEquationInDouble) {
 
 TEST_F(Phong, NormalisesALongLight) {
     const auto sphere = geometry::sphere(1, 3);
-    const auto unit =
-        picture(sphere, methods::PhongSettings{}, scene_of(sphere, {0, 0.6, 0.8}), 16);
-    const auto longer = picture(sphere, methods::PhongSettings{}, scene_of(sphere, {0, 6, 8}), 16);
+    const auto unit = picture(sphere, PhongSettings{}, scene_of(sphere, {0, 0.6, 0.8}), 16);
+    const auto longer = picture(sphere, PhongSettings{}, scene_of(sphere, {0, 6, 8}), 16);
     for (std::size_t i = 0; i < unit.pixels.size(); ++i)
         EXPECT_NEAR(unit.pixels[i].g, longer.pixels[i].g, 1e-6); // 0.6 and 0.8 are rounded
 }
@@ -77,8 +76,7 @@ TEST_F(Phong, RejectsAPlacementThatFlattensTheModel) {
     const auto sphere = geometry::sphere(1, 2);
     auto scene = scene_of(sphere, {0, 0, 1});
     scene.placement.world_from_model[1] = {0, 0, 0, 0};
-    const auto image =
-        methods::render_picture(*prepare(sphere, methods::PhongSettings{}), scene, 8, 8, 1);
+    const auto image = methods::render_picture(*prepare(sphere, PhongSettings{}), scene, 8, 8, 1);
     ASSERT_FALSE(image);
     EXPECT_THAT(image.error(), testing::HasSubstr("flattens the model"));
 }

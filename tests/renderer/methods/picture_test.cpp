@@ -31,15 +31,13 @@ TEST(SampleOffsets, OneSampleIsTheCentre) {
 
 TEST_F(RenderPicture, HasItsTopRowFirst) {
     const auto sphere = geometry::sphere(1, 4);
-    const auto image =
-        picture(sphere, methods::PhongSettings{}, scene_of(sphere, {0, 1, 0}), 33, 4);
+    const auto image = picture(sphere, PhongSettings{}, scene_of(sphere, {0, 1, 0}), 33, 4);
     EXPECT_GT(pixel(image, 16, 5).g, 3 * pixel(image, 16, 27).g); // lit from above
 }
 
 TEST_F(RenderPicture, HasRightOnTheRight) {
     const auto sphere = geometry::sphere(1, 4);
-    const auto image =
-        picture(sphere, methods::PhongSettings{}, scene_of(sphere, {1, 0, 0}), 33, 4);
+    const auto image = picture(sphere, PhongSettings{}, scene_of(sphere, {1, 0, 0}), 33, 4);
     EXPECT_GT(pixel(image, 27, 16).g, 3 * pixel(image, 5, 16).g);
 }
 
@@ -48,8 +46,7 @@ TEST_F(RenderPicture, HasRightOnTheRight) {
 TEST_F(RenderPicture, CoverageIsTheAreaOfTheSilhouette) {
     constexpr int size = 60;
     const auto sphere = geometry::sphere(1, 5);
-    const auto image =
-        picture(sphere, methods::PhongSettings{}, scene_of(sphere, {0, 0, 1}), size, 16);
+    const auto image = picture(sphere, PhongSettings{}, scene_of(sphere, {0, 0, 1}), size, 16);
     double area = 0;
     std::set<float> values;
     for (const float coverage : image.coverage) {
@@ -70,7 +67,7 @@ TEST_F(RenderPicture, ColoursArePremultipliedByCoverage) {
     scene.material.reflectance = {
         .ambient = {0.5F, 0.5F, 0.5F}, .diffuse = {}, .specular = {}, .scatter = {}};
     scene.ambient = {1, 1, 1};
-    const auto image = picture(sphere, methods::PhongSettings{}, scene, 32, 16);
+    const auto image = picture(sphere, PhongSettings{}, scene, 32, 16);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         EXPECT_EQ(image.pixels[i].g, 0.5F * image.coverage[i]);
 }
@@ -84,8 +81,8 @@ TEST_F(RenderPicture, WithoutScatterAllMethodsDrawTheSameBits) {
     field.coefficients.assign(body.positions.size() * 36, 0.1F);
     auto scene = scene_of(body, {0.5, 0.3, 0.4}, {.turn_degrees = 30, .elevation_degrees = 40});
     scene.material.reflectance.scatter = {};
-    const auto phong = picture(body, methods::PhongSettings{}, scene, 64, 4);
-    const auto same_bits = [&](const methods::MethodSettings& settings) {
+    const auto phong = picture(body, PhongSettings{}, scene, 64, 4);
+    const auto same_bits = [&](const auto& settings) {
         const auto image = picture(body, settings, scene, 64, 4, &field);
         return image.coverage == phong.coverage &&
                std::memcmp(image.pixels.data(), phong.pixels.data(),
@@ -114,10 +111,7 @@ TEST_F(RenderPicture, HasNeitherCracksNorBlackTriangles) {
     const auto sphere = geometry::sphere(1, 5);
     const auto scene = scene_of(sphere, {0.7, 0.2, -0.3});
     const auto field = sphere_field(sphere, 1, 5);
-    for (const methods::MethodSettings& settings :
-         {methods::MethodSettings(methods::PhongSettings{}),
-          methods::MethodSettings(methods::GreenSettings{.depth_map = 512}),
-          methods::MethodSettings(methods::ShssSettings{})}) {
+    const auto expect_whole = [&](const auto& settings) {
         const auto image = picture(sphere, settings, scene, 128, 16, &field);
         for (int row = 0; row < 128; ++row)
             for (int column = 0; column < 128; ++column) {
@@ -126,12 +120,15 @@ TEST_F(RenderPicture, HasNeitherCracksNorBlackTriangles) {
                 EXPECT_EQ(image.coverage[static_cast<std::size_t>(row * 128 + column)], 1);
                 EXPECT_GE(pixel(image, column, row).r, 0.02F * 0.999F);
             }
-    }
+    };
+    expect_whole(PhongSettings{});
+    expect_whole(methods::GreenSettings{.depth_map = 512});
+    expect_whole(methods::ShssSettings{});
 }
 
 TEST_F(RenderPicture, RejectsASizeTheDeviceCannotDraw) {
     const auto sphere = geometry::sphere(1, 2);
-    const auto method = prepare(sphere, methods::PhongSettings{});
+    const auto method = prepare(sphere, PhongSettings{});
     const auto image = methods::render_picture(*method, scene_of(sphere, {0, 0, 1}), 0, 100, 1);
     ASSERT_FALSE(image);
     EXPECT_THAT(image.error(), testing::StartsWith("a picture of 0 x 100 texels, expected 1 to "));
@@ -140,10 +137,7 @@ TEST_F(RenderPicture, RejectsASizeTheDeviceCannotDraw) {
 TEST_F(RenderPicture, RejectsALightWithoutADirectionWhateverTheMethod) {
     const auto sphere = geometry::sphere(1, 2);
     const auto field = sphere_field(sphere, 1, 5);
-    for (const methods::MethodSettings& settings :
-         {methods::MethodSettings(methods::PhongSettings{}),
-          methods::MethodSettings(methods::GreenSettings{.depth_map = 64}),
-          methods::MethodSettings(methods::ShssSettings{})})
+    const auto expect_refused = [&](const auto& settings) {
         for (const auto& L : {glm::dvec3(0, 0, 0), glm::dvec3(0, NAN, 1)}) {
             const auto method = prepare(sphere, settings, &field);
             const auto image = methods::render_picture(*method, scene_of(sphere, L), 8, 8, 1);
@@ -152,6 +146,10 @@ TEST_F(RenderPicture, RejectsALightWithoutADirectionWhateverTheMethod) {
                         testing::MatchesRegex(
                             "light direction \\(0, .*\\), expected a vector with a length"));
         }
+    };
+    expect_refused(PhongSettings{});
+    expect_refused(methods::GreenSettings{.depth_map = 64});
+    expect_refused(methods::ShssSettings{});
 }
 
 TEST(Surface, RejectsWhatCannotBeDrawn) {

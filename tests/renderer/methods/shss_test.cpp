@@ -22,7 +22,7 @@ class Shss : public MethodTest {
         const auto image = picture(sphere, settings, scene, size, 1, &field);
         const auto normals = geometry::vertex_normals(sphere);
         const glm::dmat3 A(scene.placement.world_from_model);
-        const auto v = glm::inverse(A) * glm::normalize(scene.light.to_light);
+        const auto v = glm::inverse(A) * glm::normalize(first_to_light(scene));
         std::vector<double> y(static_cast<std::size_t>(field.bands * field.bands));
         harmonics::evaluate(field.bands, glm::normalize(v), y);
         const auto used = static_cast<std::size_t>(settings.bands * settings.bands);
@@ -187,7 +187,7 @@ TEST_F(Shss, SaysWhatIsWrongWithAField) {
     const auto field = sphere_field(sphere, 1, 3);
     const auto surface = *methods::Surface::upload(sphere);
     const auto error = [&](const ShssSettings& settings, const thickness::ThicknessField* f) {
-        const auto method = methods::prepare_method(settings, surface, f);
+        const auto method = make(settings, surface, f);
         return method ? std::string("no error") : method.error();
     };
     EXPECT_EQ(error({.bands = 4}, &field),

@@ -103,8 +103,8 @@ TEST(Microfacets, DrawWhatTheirDensitySays) {
 }
 
 Illumination sun_of(double half_angle_degrees) {
-    return {
-        .sun = {.irradiance = {1, 1, 1}, .half_angle = renderer::from_degrees(half_angle_degrees)}};
+    return {.suns = {{.irradiance = {1, 1, 1},
+                      .half_angle = renderer::from_degrees(half_angle_degrees)}}};
 }
 
 TEST(Illumination, ThatNoPathCanFindIsRefused) {
@@ -114,6 +114,7 @@ TEST(Illumination, ThatNoPathCanFindIsRefused) {
         ASSERT_FALSE(refused);
         EXPECT_THAT(refused.error(), testing::HasSubstr("expected at least 2 degrees"));
     }
+    EXPECT_FALSE(check_reachable({.lamps = {{}}}, smooth));
     EXPECT_TRUE(check_reachable(sun_of(2), smooth));
     EXPECT_TRUE(check_reachable({.sky = {1, 1, 1}}, smooth));
     EXPECT_TRUE(check_reachable(sun_of(0), {BoundaryKind::Matched}));

@@ -66,8 +66,8 @@ Estimate mean_of(const Film& film, std::size_t channel = 0) {
 const Illumination even_sky{.sky = {1, 1, 1}};
 
 Illumination sun_from(glm::dvec3 to_light, double half_angle_degrees = 0) {
-    return {
-        .sun = {glm::normalize(to_light), {1, 1, 1}, renderer::from_degrees(half_angle_degrees)}};
+    return {.suns = {
+                {glm::normalize(to_light), {1, 1, 1}, renderer::from_degrees(half_angle_degrees)}}};
 }
 
 // Chandrasekhar's f(mu, mu0) of a half-space: seen straight on, the pixel's radiance is
@@ -167,6 +167,22 @@ TEST(Sun, IsReachedThroughARoughBoundary) {
     EXPECT_LE(std::abs(connected.value - direction.value), 0.05 * direction.value);
 }
 
+// Far away a lamp is a sun; two lights are the sum of them.
+TEST(Lamp, FarAwayIsASunAndLightsAdd) {
+    const auto body = std::shared_ptr<const Body>(make_sphere(1));
+    const Medium medium = grey_medium(2, 0.8, 0, 1);
+    const glm::dvec3 side = glm::normalize(glm::dvec3(1, 0.5, 0.2));
+    const Illumination sun = sun_from(side);
+    const Illumination lamp{.lamps = {{1e4 * side, {0.25, 0.25, 0.25}, 2e4}}}; // 0.25 (2e4/1e4)^2
+    Illumination both = sun;
+    both.lamps = lamp.lamps;
+    const auto one = mean_of(film_after(picture_of(body, 2, medium, sun), 8, 32));
+    const auto other = mean_of(film_after(picture_of(body, 2, medium, lamp), 8, 32));
+    const auto sum = mean_of(film_after(picture_of(body, 2, medium, both), 8, 32));
+    EXPECT_NEAR(one.value, other.value, 1e-3 * one.value); // the same paths: lamp rays spread 1e-4
+    EXPECT_NEAR(sum.value, one.value + other.value, 1e-6 * sum.value);
+}
+
 TEST(LightThreshold, ChangesNothingOnAverage) {
     const auto body = std::shared_ptr<const Body>(make_mesh_body(geometry::sphere(1, 4)));
     const auto picture = picture_of(body, 2, grey_medium(5, 0.9, 0, 1), sun_from({0, 0.3, -1}));
@@ -190,7 +206,7 @@ Picture study_like() {
     scene.material = *renderer::measured_material("marble");
     scene.placement = renderer::place(geometry::bounding_sphere(mesh), {4}, {30, 20});
     scene.camera = renderer::frame({4}, {30, 20}, 1);
-    scene.light.to_light = glm::normalize(glm::dvec3(0.3, 0.2, -1));
+    scene.lights = {{renderer::DirectionalLight{glm::normalize(glm::dvec3(0.3, 0.2, -1))}}};
     return *picture_of_scene(mesh, scene);
 }
 

@@ -1,0 +1,45 @@
+// What the program knows of a method before it makes one, and what a method is made from.
+#pragma once
+
+#include "renderer/expected.h"
+#include "renderer/geometry/mesh.h"
+#include "renderer/methods/dials.h"
+#include "renderer/methods/method.h"
+#include "renderer/methods/surface.h"
+#include "renderer/scene.h"
+#include "renderer/thickness/thickness_field.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace renderer::methods {
+
+/// Traces the body's thickness, or has it already.  Fields are shared between methods.
+using FieldProvider = std::function<Expected<std::shared_ptr<const thickness::ThicknessField>>(
+    const thickness::FieldOptions&)>;
+
+/// What a method is made for.  Everything outlives the making, not the method.
+struct Subject {
+    const geometry::Mesh& mesh; ///< welded, closed, facing outward
+    std::shared_ptr<const Surface> surface;
+    Material material;   ///< a method may build the medium in: another one wants it made again
+    Placement placement; ///< the same holds for its scale, mm to a model unit
+    FieldProvider field;
+    thickness::Progress progress; ///< for what a method computes by itself
+};
+
+struct Description {
+    std::string name;   ///< in study files
+    std::string label;  ///< as people read it, wherever they do
+    std::string source; ///< key in docs/bibliography.md; empty for textbook matter
+    std::vector<Dial> dials;
+    Expected<std::unique_ptr<Method>> (*prepare)(const Dials& complete_dials, const Subject&);
+
+    /// What is wrong with dials that are right one by one; may be null.
+    std::optional<DialProblem> (*refuse)(const Dials& complete_dials) = nullptr;
+};
+
+} // namespace renderer::methods

@@ -1,0 +1,213 @@
+// Coefficients as streams of bands, the lights' basis functions as a uniform block.
+#include "renderer/methods/thickness_pass.h"
+
+#include "renderer/contract.h"
+#include "renderer/harmonics/basis.h"
+#include "renderer/methods/harmonics.glsl.h"
+#include "renderer/methods/shss_thickness.vert.h"
+
+#include <fmt/format.h>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+
+namespace renderer::methods {
+
+namespace {
+
+// One vertex buffer to a stream, so that bands that are not asked for are neither sent nor fetched.
+// Bands 0 and 1 share the first, as their four coefficients fill one shader input; a later band l
+// has 2l+1 and begins a new input.
+struct Stream {
+    int first; // flat index of its first coefficient
+    int count;
+    int slots; // shader inputs of four floats
+};
+
+constexpr unsigned first_location = 2; // behind position and normal
+
+std::vector<Stream> streams_of(int bands) {
+    std::vector<Stream> streams{{0, std::min(4, harmonics::coefficient_count(bands)), 1}};
+    for (int l = 2; l < bands; ++l)
+        streams.push_back({harmonics::flat_index(l, -l), 2 * l + 1, (2 * l + 4) / 4});
+    return streams;
+}
+
+int slots_of(int bands) {
+    int slots = 0;
+    for (const auto& stream : streams_of(bands))
+        slots += stream.slots;
+    return slots;
+}
+
+int band_of(int coefficient) {
+    int l = 0;
+    while (harmonics::coefficient_count(l + 1) <= coefficient)
+        ++l;
+    return l;
+}
+
+/// Values of the flat order, in the order of the slots, holes zero.
+void append_slots(std::span<const double> flat, int bands, std::vector<glm::vec4>& block) {
+    for (const auto& stream : streams_of(bands)) {
+        const auto slot = block.size();
+        block.resize(slot + static_cast<std::size_t>(stream.slots), glm::vec4(0));
+        for (int i = 0; i < stream.count; ++i)
+            block[slot + static_cast<std::size_t>(i / 4)][i % 4] =
+                static_cast<float>(flat[static_cast<std::size_t>(stream.first + i)]);
+    }
+}
+
+gpu::Buffer upload(const thickness::ThicknessField& field, const Stream& stream) {
+    const auto stride = static_cast<std::size_t>(harmonics::coefficient_count(field.bands));
+    const auto first = static_cast<std::size_t>(stream.first);
+    const auto count = static_cast<std::size_t>(stream.count);
+    std::vector<float> rows;
+    rows.reserve(field.coefficients.size() / stride * count);
+    for (std::size_t row = 0; row < field.coefficients.size(); row += stride)
+        for (std::size_t i = first; i < first + count; ++i)
+            rows.push_back(field.coefficients[row + i]);
+    return gpu::Buffer::holding<float>(rows);
+}
+
+int used_bands(const BandWeights& weights) {
+    int bands = most_bands;
+    while (bands > 1 && weights[static_cast<std::size_t>(bands - 1)] == 0)
+        --bands;
+    return bands;
+}
+
+std::vector<double> coefficient_scales(const BandWeights& weights, int bands) {
+    std::vector<double> scales;
+    for (int i = 0; i < harmonics::coefficient_count(bands); ++i)
+        scales.push_back(static_cast<double>(weights[static_cast<std::size_t>(band_of(i))]));
+    return scales;
+}
+
+/// y of every far light times the scales; dividing by the stretch turns model units into mm.
+void append_far_lights(const Scene& scene,
+                       std::span<const double> scales,
+                       int bands,
+                       std::vector<glm::vec4>& block) {
+    for (const auto& light : scene.lights) {
+        std::vector<double> y(scales.size());
+        if (const auto* far = std::get_if<DirectionalLight>(&light.place)) {
+            const auto seen = model_light(*far, scene.placement);
+            harmonics::evaluate(bands, seen.to_light, y);
+            for (std::size_t i = 0; i < y.size(); ++i)
+                y[i] *= scales[i] / seen.stretch;
+        }
+        append_slots(y, bands, block);
+    }
+}
+
+void append_near_lights(const Scene& scene,
+                        const Surface& surface,
+                        std::span<const double> scales,
+                        int bands,
+                        std::vector<glm::vec4>& block) {
+    const auto object_from_world = glm::inverse(surface.world_from_object(scene.placement));
+    for (const auto& light : scene.lights) {
+        const auto* near = std::get_if<PointLight>(&light.place);
+        block.push_back(near == nullptr
+                            ? glm::vec4(0)
+                            : glm::vec4(object_from_world * glm::dvec4(near->position, 1)));
+    }
+    append_slots(scales, bands, block);
+    const glm::mat4 linear(glm::dmat4(glm::dmat3(scene.placement.world_from_model)));
+    for (int column = 0; column < 4; ++column)
+        block.push_back(linear[column]);
+    block.emplace_back(static_cast<float>(surface.model_sphere().radius), 0, 0, 0);
+}
+
+} // namespace
+
+ThicknessPass::ThicknessPass(std::shared_ptr<const Surface> surface,
+                             std::shared_ptr<const thickness::ThicknessField> field)
+    : surface_(std::move(surface)), field_(std::move(field)) {}
+
+Expected<ThicknessPass>
+ThicknessPass::prepare(std::shared_ptr<const Surface> surface,
+                       std::shared_ptr<const thickness::ThicknessField> field,
+                       int bands) {
+    EXPECTS(bands >= 1 && bands <= field->bands);
+    const auto expected = surface->vertex_count() *
+                          static_cast<std::size_t>(harmonics::coefficient_count(field->bands));
+    if (field->coefficients.size() != expected)
+        return tl::make_unexpected(
+            fmt::format("a thickness field of {} coefficients, expected {} for {} vertices",
+                        field->coefficients.size(), expected, surface->vertex_count()));
+    ThicknessPass pass(std::move(surface), std::move(field));
+    pass.send_bands(bands);
+    return pass;
+}
+
+Expected<void> ThicknessPass::run(const Scene& scene, const BandWeights& weights) {
+    const auto setup = light_setup(scene);
+    EXPECTS(setup.has_value());
+    const int bands = used_bands(weights);
+    EXPECTS(bands <= field_->bands);
+    const auto pass = program(bands, *setup);
+    if (!pass)
+        return tl::make_unexpected(pass.error());
+    send_bands(bands);
+
+    const auto scales = coefficient_scales(weights, bands);
+    std::vector<glm::vec4> block;
+    append_far_lights(scene, scales, bands, block);
+    if (setup->with_points)
+        append_near_lights(scene, *surface_, scales, bands, block);
+    uniforms_.emplace(std::as_bytes(std::span(block)));
+
+    lights_ = scene.lights.size();
+    const auto bytes = surface_->vertex_count() * lights_ * sizeof(float);
+    if (!thickness_ || thickness_->bytes() != bytes)
+        thickness_.emplace(bytes);
+    uniforms_->bind_uniform_block(1);
+    (*pass)->run(inputs_.at(bands), surface_->vertex_count(), *thickness_);
+    return {};
+}
+
+void ThicknessPass::send_bands(int bands) {
+    const auto streams = streams_of(bands);
+    while (streams_.size() < streams.size())
+        streams_.push_back(upload(*field_, streams[streams_.size()]));
+    if (inputs_.contains(bands))
+        return;
+    auto inputs = surface_->vertex_array();
+    unsigned location = first_location;
+    for (std::size_t i = 0; i < streams.size(); ++i)
+        location = inputs.feed(location, streams_[i], {.components = streams[i].count});
+    inputs_.emplace(bands, std::move(inputs));
+}
+
+Expected<const gpu::VertexPass*> ThicknessPass::program(int bands, const LightSetup& setup) {
+    const Key key{bands, setup};
+    if (const auto found = programs_.find(key); found != programs_.end())
+        return &found->second;
+    const auto lines = defines(setup) +
+                       fmt::format("#define BANDS {}\n#define SLOTS {}\n", bands, slots_of(bands));
+    const std::array parts{gpu::ShaderPart{"defines", lines},
+                           gpu::ShaderPart{"harmonics.glsl", harmonics_glsl},
+                           gpu::ShaderPart{"shss_thickness.vert", shss_thickness_vert}};
+    const std::array captured{"thickness"};
+    auto pass = gpu::VertexPass::link(parts, captured);
+    if (!pass)
+        return tl::make_unexpected(pass.error());
+    return &programs_.emplace(key, std::move(*pass)).first->second;
+}
+
+std::size_t ThicknessPass::bytes_per_vertex() const {
+    std::size_t bytes = 0;
+    for (const auto& stream : streams_)
+        bytes += stream.bytes();
+    return bytes / surface_->vertex_count();
+}
+
+std::size_t ThicknessPass::bytes_per_light() const {
+    return uniforms_ ? uniforms_->bytes() / lights_ : 0;
+}
+
+} // namespace renderer::methods

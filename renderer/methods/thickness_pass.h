@@ -1,0 +1,68 @@
+// Thickness toward every light at every vertex, reconstructed on the GPU when a light moves.
+// [SHSS, eq. 2]
+#pragma once
+
+#include "renderer/expected.h"
+#include "renderer/gpu/buffer.h"
+#include "renderer/gpu/vertex_array.h"
+#include "renderer/gpu/vertex_pass.h"
+#include "renderer/methods/lighting.h"
+#include "renderer/methods/surface.h"
+#include "renderer/scene.h"
+#include "renderer/thickness/thickness_field.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace renderer::methods {
+
+inline constexpr int most_bands = 6;
+
+/// How much of every band is used; bands behind the last that is not 0 are not fetched.
+using BandWeights = std::array<float, most_bands>;
+
+class ThicknessPass {
+  public:
+    /// Sends the first `bands` bands to the GPU; later ones follow when they are used.
+    /// Errors: a field of another mesh.
+    static Expected<ThicknessPass> prepare(std::shared_ptr<const Surface> surface,
+                                           std::shared_ptr<const thickness::ThicknessField> field,
+                                           int bands);
+
+    /// Reconstructs for the scene's lights and placement.
+    /// Errors: the driver's.  EXPECTS what `light_setup` checks, and bands that the field has.
+    Expected<void> run(const Scene& scene, const BandWeights& weights);
+
+    /// The thickness of the last run: mm, a row of one float for each light to a vertex.
+    const gpu::Buffer& thickness() const { return *thickness_; }
+
+    std::size_t bytes_per_vertex() const; ///< of the coefficients on the GPU
+
+    std::size_t bytes_per_light() const; ///< of uniforms, at the last run
+
+  private:
+    /// One program for each number of bands and setup of lights.
+    using Key = std::pair<int, LightSetup>;
+
+    ThicknessPass(std::shared_ptr<const Surface> surface,
+                  std::shared_ptr<const thickness::ThicknessField> field);
+
+    void send_bands(int bands);
+    Expected<const gpu::VertexPass*> program(int bands, const LightSetup& setup);
+
+    std::shared_ptr<const Surface> surface_;
+    std::shared_ptr<const thickness::ThicknessField> field_;
+    std::vector<gpu::Buffer> streams_;
+    std::map<int, gpu::VertexArray> inputs_; ///< by number of bands
+    std::map<Key, gpu::VertexPass> programs_;
+    std::optional<gpu::Buffer> uniforms_;
+    std::optional<gpu::Buffer> thickness_;
+    std::size_t lights_ = 1;
+};
+
+} // namespace renderer::methods
