@@ -1,6 +1,7 @@
 // Every method is made from one subject, which hands out thickness fields that are traced once.
 #include "experiment/stimuli/scene_renderer.h"
 
+#include "experiment/reference_dials.h"
 #include "experiment/stimuli/lit_scene.h"
 #include "experiment/stimuli/recipe.h"
 #include "experiment/text_files.h"
@@ -137,6 +138,10 @@ Expected<void> SceneRenderer::prepare_contenders(const std::function<void(double
         const auto* rendering = std::get_if<Rendering>(&condition.source);
         if (rendering == nullptr)
             continue;
+        if (rendering->method == reference_method) {
+            contenders_.push_back({&condition, nullptr, 0});
+            continue;
+        }
         const auto start = Clock::now();
         auto method = methods::prepare_method(rendering->method, rendering->dials, subject);
         if (!method)
@@ -155,24 +160,66 @@ SceneRenderer::draw_all(const protocols::Variant& variant) {
         return tl::unexpected(scene.error());
     std::vector<Drawn> drawn;
     for (auto& contender : contenders_) {
-        const auto start = Clock::now();
-        auto image = methods::render_picture(*contender.method, *scene, study_->width,
-                                             study_->height, samples_);
-        if (!image)
-            return tl::unexpected(image.error());
-        PictureRecord record;
-        record.frame_milliseconds = 1000.0 * seconds_since(start) / samples_;
-        record.dials = dials(std::get<Rendering>(contender.condition->source));
-        record.width = study_->width;
-        record.height = study_->height;
-        record.model = model_.record;
-        record.precompute_seconds = contender.precompute_seconds;
-        record.bytes_per_vertex = contender.method->cost().bytes_per_vertex;
-        drawn.push_back({{scene_->id, variant.id, contender.condition->id},
-                         std::move(*image),
-                         std::move(record)});
+        auto one = contender.method != nullptr ? draw(contender, *scene)
+                                               : draw_reference(*contender.condition, *scene);
+        if (!one)
+            return tl::unexpected(one.error());
+        one->picture = {scene_->id, variant.id, contender.condition->id};
+        one->record.dials = dials(std::get<Rendering>(contender.condition->source));
+        one->record.width = study_->width;
+        one->record.height = study_->height;
+        one->record.model = model_.record;
+        drawn.push_back(std::move(*one));
     }
     return drawn;
+}
+
+Expected<SceneRenderer::Drawn> SceneRenderer::draw(Contender& contender,
+                                                   const renderer::Scene& scene) const {
+    const auto start = Clock::now();
+    auto image =
+        methods::render_picture(*contender.method, scene, study_->width, study_->height, samples_);
+    if (!image)
+        return tl::unexpected(image.error());
+    PictureRecord record;
+    record.frame_milliseconds = 1000.0 * seconds_since(start) / samples_;
+    record.precompute_seconds = contender.precompute_seconds;
+    record.bytes_per_vertex = contender.method->cost().bytes_per_vertex;
+    return Drawn{{}, std::move(*image), std::move(record)};
+}
+
+Expected<SceneRenderer::Drawn> SceneRenderer::draw_reference(const protocols::Condition& condition,
+                                                             const renderer::Scene& scene) const {
+    const auto start = Clock::now();
+    auto picture = renderer::reference::reference_picture(
+        model_.mesh, scene, study_->width, study_->height,
+        reference_run(std::get<Rendering>(condition.source).dials));
+    if (!picture)
+        return tl::unexpected(
+            fmt::format("condition \"{}\": {}", condition.id.value, picture.error()));
+    PictureRecord record;
+    record.renderer = fmt::format("path tracer, {} samples, standard error {:.3g} % of the mean",
+                                  picture->samples, 100 * picture->outcome.state.relative_error);
+    record.frame_milliseconds = 1000.0 * seconds_since(start);
+    return Drawn{{}, std::move(picture->image), std::move(record)};
+}
+
+/// Brightness is that of the reference, where there is one.
+std::optional<double> SceneRenderer::reference_mean(const std::vector<Drawn>& drawn,
+                                                    std::span<const std::size_t> mask) const {
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        if (contenders_[i].method == nullptr && !mask.empty())
+            return imaging::mean_luminance(drawn[i].image, mask);
+    return std::nullopt;
+}
+
+/// Pixels that every picture covers wholly: the reference's samples lie elsewhere than OpenGL's.
+std::vector<std::size_t> SceneRenderer::common_mask(const std::vector<Drawn>& drawn) {
+    auto coverage = drawn.front().image.coverage;
+    for (const auto& one : drawn)
+        std::ranges::transform(coverage, one.image.coverage, coverage.begin(),
+                               [](float a, float b) { return std::min(a, b); });
+    return imaging::covered_pixels(coverage);
 }
 
 Expected<std::map<Picture, PictureRecord>> SceneRenderer::render(const protocols::Variant& variant,
@@ -183,8 +230,8 @@ Expected<std::map<Picture, PictureRecord>> SceneRenderer::render(const protocols
     std::vector<imaging::NamedImage> pictures;
     for (const auto& one : *drawn)
         pictures.push_back({one.picture.condition.value, one.image});
-    const auto mask = imaging::covered_pixels(drawn->front().image.coverage);
-    const auto matches = imaging::match_brightness(pictures, mask);
+    const auto mask = common_mask(*drawn);
+    const auto matches = imaging::match_brightness(pictures, mask, reference_mean(*drawn, mask));
     if (!matches)
         return tl::unexpected(fmt::format("scene \"{}\", variant \"{}\": {}", scene_->id.value,
                                           variant.id.value, matches.error()));

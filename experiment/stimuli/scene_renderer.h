@@ -13,6 +13,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,7 +48,7 @@ class SceneRenderer {
     /// A condition that is rendered, ready to draw.
     struct Contender {
         const protocols::Condition* condition = nullptr;
-        std::unique_ptr<renderer::methods::Method> method;
+        std::unique_ptr<renderer::methods::Method> method; ///< null: the reference
         double precompute_seconds = 0;
     };
 
@@ -60,6 +62,12 @@ class SceneRenderer {
 
     tl::expected<void, std::string> prepare_contenders(const std::function<void(double)>& progress);
     tl::expected<std::vector<Drawn>, std::string> draw_all(const protocols::Variant& variant);
+    tl::expected<Drawn, std::string> draw(Contender& contender, const renderer::Scene& scene) const;
+    tl::expected<Drawn, std::string> draw_reference(const protocols::Condition& condition,
+                                                    const renderer::Scene& scene) const;
+    std::optional<double> reference_mean(const std::vector<Drawn>& drawn,
+                                         std::span<const std::size_t> mask) const;
+    static std::vector<std::size_t> common_mask(const std::vector<Drawn>& drawn);
 
     const protocols::Study* study_;
     const protocols::Scene* scene_;
