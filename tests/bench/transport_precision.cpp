@@ -1,7 +1,10 @@
 // The long suite of transport: every anchor to a relative standard error that is asked for, as the
-// table of docs/precision-transport.md.  Ends with failure when any is off by more than 4.
+// tables of docs/precision-transport.md.  Ends with failure when any is off by more than 4.
 //
 // transport_precision RELATIVE_ERROR SECONDS_EACH > docs/precision-transport.md
+#include "renderer/imaging/brightness.h"
+#include "renderer/imaging/colour.h"
+#include "renderer/imaging/errors.h"
 #include "tests/renderer/reference/anchors.h"
 
 #include <fmt/chrono.h>
@@ -12,7 +15,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -61,6 +66,49 @@ std::string name_of(const Anchor& anchor) {
                        p.incidence == Incidence::Normal ? "normal" : "diffuse", quantity);
 }
 
+renderer::imaging::LinearImage plain(renderer::LinearRgb light) {
+    constexpr int edge = 40;
+    return {edge, edge, std::vector<renderer::LinearRgb>(edge * edge, light),
+            std::vector<float>(edge * edge, 1.0F)};
+}
+
+/// Pictures whose errors can be worked out by hand: tests/renderer/imaging/errors_test.cpp does.
+void print_image_measures() {
+    namespace imaging = renderer::imaging;
+    const auto errors = [](const imaging::LinearImage& x, const imaging::LinearImage& y) {
+        return imaging::image_errors(x, y, imaging::covered_pixels(y.coverage)).value();
+    };
+    const auto flip = [](const imaging::LinearImage& x, const imaging::LinearImage& y) {
+        return static_cast<double>(
+            imaging::ldr_flip(x, y, imaging::default_pixels_per_degree).at(20, 20));
+    };
+    const auto grey = [](double light) {
+        const auto y = static_cast<float>(light);
+        return plain({y, y, y});
+    };
+    const auto lightness = [&](double l) { return grey(std::pow((l + 16) / 116, 3)); };
+    const auto e = errors(plain({0.5F, 0.4F, 0.4F}), plain({0.2F, 0.4F, 0.4F}));
+    const double d = imaging::srgb_from_linear(0.5) - imaging::srgb_from_linear(0.2);
+    const double a = imaging::srgb_from_linear(0.5), b = imaging::srgb_from_linear(0.25);
+    fmt::print("\n# Precision of image measures\n\n| measure | case | by hand | computed |\n"
+               "|---|---|---|---|\n");
+    const auto row = [](const char* measure, const char* what, double exact, double computed) {
+        fmt::print("| {} | {} | {:.6g} | {:.6g} |\n", measure, what, exact, computed);
+    };
+    row("RMSE", "one channel of three off by 0.3", std::sqrt(0.03), e.rmse);
+    row("MAE", "the same", 0.1, e.mae);
+    row("relMSE", "the same, where the reference is 0.2", 0.6, e.rel_mse);
+    row("PSNR", "the same, encoded", -10 * std::log10(d * d / 3), e.psnr);
+    row("SSIM", "even greys 0.5 and 0.25", (2 * a * b + 1e-4) / (a * a + b * b + 1e-4),
+        errors(grey(0.5), grey(0.25)).ssim);
+    row("LDR-FLIP", "green and blue", 1, flip(plain({0, 1, 0}), plain({0, 0, 1})));
+    row("LDR-FLIP", "white and black", 0.96739, flip(grey(1), grey(0)));
+    row("LDR-FLIP", "lightness 50 and 51", 0.05755, flip(lightness(50), lightness(51)));
+    const auto same = errors(grey(0.3), grey(0.3));
+    row("HDR-FLIP", "equal pictures", 0, same.hdr_flip);
+    row("PSNR", "equal pictures", std::numeric_limits<double>::infinity(), same.psnr);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -94,5 +142,6 @@ int main(int argc, char** argv) {
         "\n{} of {} within 4 standard errors; root mean square of z {:.2f}; {} of {} reached "
         "the relative error asked for; {:.0f} s in all.\n",
         all - failures, all, std::sqrt(squares / all), met, all, seconds);
+    print_image_measures();
     return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
