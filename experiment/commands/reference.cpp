@@ -8,14 +8,17 @@
 #include "experiment/stimuli/reference_file.h"
 #include "renderer/materials.h"
 #include "renderer/reference/convergence.h"
+#include "renderer/reference/energy.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -155,6 +158,10 @@ void run(Options& options) {
         options.anisotropy,
         renderer::from_degrees(options.sun_degrees)};
     const auto picture = value_or_stop(reference::picture_of_scene(model.mesh, scene, settings));
+    const double mm = std::cbrt(glm::determinant(glm::dmat3(scene.placement.world_from_model)));
+    options.voice.remark(fmt::format(
+        "a path would have {:.3g} collisions on average, did nothing absorb",
+        mm * reference::expected_collisions(model.mesh, picture.medium, picture.boundary)));
     const auto recipe = recipe_of(options, subject, model);
     auto film = film_to_go_on_with(options, subject, recipe);
     reference::Outcome outcome;

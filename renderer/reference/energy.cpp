@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -247,6 +248,19 @@ EnergyBalance body_energy(const Body& body,
                           const Boundary& boundary,
                           const EnergyRun& run) {
     return measure({body, medium, boundary, {0, 0, -1}, line_start(centre, radius)}, run);
+}
+
+double
+expected_collisions(const geometry::Mesh& mesh, const Medium& medium, const Boundary& boundary) {
+    double area = 0;
+    for (const auto& [a, b, c] : mesh.triangles)
+        area += 0.5 * glm::length(glm::cross(mesh.positions[b] - mesh.positions[a],
+                                             mesh.positions[c] - mesh.positions[a]));
+    EXPECTS(area > 0);
+    const double index = boundary.kind == BoundaryKind::Matched ? 1 : medium.index;
+    const double most =
+        std::max({extinction(medium, 0), extinction(medium, 1), extinction(medium, 2)});
+    return most * index * index * 4 * std::abs(geometry::signed_volume(mesh)) / area;
 }
 
 } // namespace renderer::reference

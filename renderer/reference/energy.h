@@ -3,6 +3,7 @@
 // These are the numbers that books and tables have: the renderer's transport is checked by them.
 #pragma once
 
+#include "renderer/geometry/mesh.h"
 #include "renderer/reference/body.h"
 #include "renderer/reference/boundary.h"
 #include "renderer/reference/medium.h"
@@ -67,5 +68,11 @@ EnergyBalance body_energy(const Body& body,
                           const Medium& medium,
                           const Boundary& boundary,
                           const EnergyRun& run);
+
+/// Collisions of a mean path under an even sky, did nothing absorb: extinction times index^2 4V/S,
+/// of the channel that has most.  What a picture costs before one is made.  [Blanco2003]
+/// [Tommasi2020]
+double
+expected_collisions(const geometry::Mesh& mesh, const Medium& medium, const Boundary& boundary);
 
 } // namespace renderer::reference

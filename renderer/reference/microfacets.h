@@ -4,8 +4,8 @@
 // Directions point away from the surface; `out` is where the path comes from, `in` where it goes
 // on, on either side.  Weights are those of light's power, without the squared index by which
 // radiance is compressed in the denser medium: a path that begins and ends outside passes as often
-// in as out.  Facets shadow each other and light they block is lost (single scattering): a body
-// that absorbs nothing, of index 1.4 and alpha 0.4, shows 0.65 of an even sky.
+// in as out.  Light that other facets hide is not lost: the walk lets it meet the surface again,
+// from anywhere on its side, which keeps all of it but is not the exact course among the facets.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -23,7 +23,7 @@ struct RoughSurface {
 
 struct Scattered {
     glm::dvec3 direction; ///< unit
-    double weight = 0;    ///< value over density: the share that is not shadowed
+    double unhidden = 0;  ///< value over density: the share that no other facet hides
 };
 
 /// A direction drawn from `density`; nothing when the facet sends the path to the side it is not

@@ -299,18 +299,21 @@ template <std::size_t N>
 typename Walk<N>::Fate
 Walk<N>::cross_rough(Path<N>& path, glm::dvec3 facing, double index, PathRandom& random) {
     const RoughSurface surface{facing, boundary_.roughness, index};
-    events_.met_surface(path, surface, random);
-    const double u1 = random.next(), u2 = random.next(), u3 = random.next();
-    const auto scattered = sample_rough(surface, -path.direction, u1, u2, u3);
-    if (!scattered)
-        return Fate::Ends;
-    path.turn_density = rough_density(surface, -path.direction, scattered->direction);
-    path.direction = scattered->direction;
-    for (auto& weight : path.weight)
-        weight *= scattered->weight;
-    if (glm::dot(path.direction, facing) < 0)
-        path.is_inside = !path.is_inside;
-    return Fate::Goes;
+    while (true) {
+        events_.met_surface(path, surface, random);
+        const double u1 = random.next(), u2 = random.next(), u3 = random.next();
+        const auto scattered = sample_rough(surface, -path.direction, u1, u2, u3);
+        if (scattered && random.next() < scattered->unhidden) {
+            path.turn_density = rough_density(surface, -path.direction, scattered->direction);
+            path.direction = scattered->direction;
+            if (glm::dot(path.direction, facing) < 0)
+                path.is_inside = !path.is_inside;
+            return Fate::Goes;
+        }
+        // Hidden by other facets: it meets the surface again, from anywhere on its side.
+        const double cosine = std::sqrt(1 - random.next());
+        path.direction = -around(facing, cosine, random.next());
+    }
 }
 
 /// The density with which a mixture of scattering and guiding turns into this direction and, in

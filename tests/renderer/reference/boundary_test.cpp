@@ -85,10 +85,12 @@ TEST(Microfacets, DrawWhatTheirDensitySays) {
                     const double u1 = random.next(), u2 = random.next(), u3 = random.next();
                     const auto s = sample_rough(surface, out, u1, u2, u3);
                     // any function of the direction will do
-                    const double x = s && s->direction.z < 0 ? s->weight * (1 + s->direction.x) : 0;
+                    const double x =
+                        s && s->direction.z < 0 ? s->unhidden * (1 + s->direction.x) : 0;
                     drawn += x;
                     drawn_squares += x * x;
-                    const glm::dvec3 in = around(-up, random.next(), random.next());
+                    const double along = random.next();
+                    const glm::dvec3 in = around(-up, along, random.next());
                     const double y =
                         2 * std::numbers::pi * rough_value(surface, out, in) * (1 + in.x);
                     even += y;
