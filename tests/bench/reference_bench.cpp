@@ -3,6 +3,7 @@
 //
 // reference_bench tactics [ARMADILLO.off]   the table of docs/reference.md
 // reference_bench scaling [ARMADILLO.off]   one thread against two
+// reference_bench furnace ARMADILLO.off PIXELS BATCHES    the greatest deviation of a pixel from 1
 // reference_bench scene NAME MODEL PIXELS SAMPLES SEEDS   one scene for a comparison with others:
 //                                            sphere-sky, sphere-back or model-back
 #include "renderer/camera.h"
@@ -22,6 +23,8 @@
 #include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -203,6 +206,47 @@ void scaling(const std::string& model) {
     }
 }
 
+/// The deviation that the greatest of `count` normal ones exceeds as rarely as one exceeds 4.
+double corrected_limit(double count) {
+    const double rare = std::erfc(4 / std::numbers::sqrt2);
+    double low = 4, high = 12;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (count * std::erfc(middle / std::numbers::sqrt2) > rare ? low : high) = middle;
+    }
+    return low;
+}
+
+/// An even sky through a body that only scatters, each channel otherwise: every pixel is 1.
+void furnace(const std::string& model, int pixels, std::uint32_t batches) {
+    for (const auto kind : {BoundaryKind::Matched, BoundaryKind::Smooth}) {
+        auto picture = scene("model-back", model).picture;
+        picture.illumination = sky;
+        picture.medium = {{0, 0, 0}, {0.2, 1, 0}, 0.5, 1.4};
+        picture.boundary = {kind};
+        Film film = blank_film(pixels, pixels, 1, 4);
+        for (std::uint32_t b = 0; b < batches; ++b)
+            add_batch(picture, film);
+        double worst = 0, count = 0, error = 0;
+        for (std::size_t i = 0; i < film.sum.size(); ++i)
+            if (film.covered[i] == 16.0 * batches)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const double se = standard_error(film, i)[k];
+                    if (se > 1e-12) // where a channel never scatters, a pixel is 1 to rounding
+                        worst = std::max(worst, std::abs(mean(film, i)[k] - 1) / se);
+                    else if (!(std::abs(mean(film, i)[k] - 1) < 1e-9))
+                        worst = std::numeric_limits<double>::infinity();
+                    error += se;
+                    ++count;
+                }
+        fmt::print(
+            "{}: {} pixels and channels, mean standard error {:.2e}, greatest deviation {:.2f} "
+            "standard errors, limit {:.2f}; {} leaks in {} paths\n",
+            name_of(kind), count, error / count, worst, corrected_limit(count), film.leaks,
+            film.paths);
+    }
+}
+
 /// The variance between independent runs, as it has to be measured of a program that keeps none.
 void one_scene(
     const std::string& name, const std::string& model, int pixels, int samples, int seeds) {
@@ -229,10 +273,12 @@ int main(int argc, char** argv) {
                   std::stoi(words[5]));
     else if (what == "scaling" && words.size() == 2)
         scaling(words[1]);
+    else if (what == "furnace" && words.size() == 4)
+        furnace(words[1], std::stoi(words[2]), static_cast<std::uint32_t>(std::stoi(words[3])));
     else if (what == "tactics" && words.size() == 2)
         tactics_table(words[1]);
     else
-        fmt::print(stderr,
-                   "usage: reference_bench tactics|scaling MODEL, or scene NAME MODEL PIXELS "
-                   "SAMPLES SEEDS\n");
+        fmt::print(stderr, "usage: reference_bench tactics|scaling MODEL, furnace MODEL PIXELS "
+                           "BATCHES, or scene NAME MODEL PIXELS "
+                           "SAMPLES SEEDS\n");
 }
