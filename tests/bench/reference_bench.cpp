@@ -153,8 +153,8 @@ std::vector<Choice> choices() {
 }
 
 void tactics_table(const std::string& model) {
-    constexpr int pixels = 48, repeats = 3;
-    constexpr int samples = 1024;
+    constexpr int pixels = 32, repeats = 3;
+    constexpr int samples = 512;
     for (const auto& name : {"sphere-sky", "sphere-back", "model-back"}) {
         const auto [label, picture] = scene(name, model);
         auto list = choices();
