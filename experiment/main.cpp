@@ -17,8 +17,8 @@ int main(int argc, char** argv) {
     for (const auto add : {commands::add_init, commands::add_check, commands::add_render,
                            commands::add_session, commands::add_simulate, commands::add_export,
                            commands::add_analyze, commands::add_report, commands::add_demo,
-                           commands::add_schedule, commands::add_thickness, commands::add_verify,
-                           commands::add_reference, commands::add_compare})
+                           commands::add_schedule, commands::add_thickness, commands::add_methods,
+                           commands::add_verify, commands::add_reference, commands::add_compare})
         add(program);
     try {
         program.parse(argc, argv);

@@ -128,6 +128,24 @@ void Section::number(std::string_view key, Range<double> range, double& value) {
         refuse(key, in_words("a number", range));
 }
 
+std::array<double, 3> Section::rgb(std::string_view key, Range<double> range) {
+    const auto wanted = in_words("three numbers [r, g, b] or one for all, each", range);
+    std::array<double, 3> channels{};
+    channels.fill(range.low);
+    const auto* node = find(key, wanted, false);
+    if (node == nullptr)
+        return channels;
+    if (const auto* list = std::get_if<List>(&node->value); list == nullptr)
+        channels.fill(as_number(*node));
+    else if (list->size() == 3)
+        std::transform(list->begin(), list->end(), channels.begin(), as_number);
+    else
+        channels.fill(NAN);
+    if (!std::all_of(channels.begin(), channels.end(), [&](double c) { return range.has(c); }))
+        refuse(key, wanted);
+    return channels;
+}
+
 std::array<double, 3> Section::direction(std::string_view key,
                                          std::optional<std::array<double, 3>> fallback) {
     constexpr std::string_view wanted = "three numbers [x, y, z], not all zero";

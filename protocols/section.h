@@ -65,6 +65,9 @@ class Section {
     void whole(std::string_view key, Range<int> range, int& value);
     void number(std::string_view key, Range<double> range, double& value);
 
+    /// Three numbers, one for each colour channel, or one number for all.
+    std::array<double, 3> rgb(std::string_view key, Range<double> range);
+
     /// Three numbers of any length in the file, a unit vector ever after.
     std::array<double, 3> direction(std::string_view key,
                                     std::optional<std::array<double, 3>> fallback = {});

@@ -1,7 +1,15 @@
 // What a study says of itself.
 #include "protocols/study.h"
 
+#include <algorithm>
+
 namespace protocols {
+
+const OwnMaterial* own_material(const Study& study, std::string_view name) {
+    const auto found = std::find_if(study.materials.begin(), study.materials.end(),
+                                    [&](const OwnMaterial& each) { return each.id.value == name; });
+    return found != study.materials.end() ? &*found : nullptr;
+}
 
 std::vector<Variant> shown_variants(const Study& study) {
     return study.variants.empty() ? std::vector<Variant>{Variant{}} : study.variants;

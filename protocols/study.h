@@ -46,6 +46,28 @@ struct Condition {
     int line = 0; ///< in the study file, for messages
 };
 
+/// A medium by its coefficients, per millimetre and colour channel.
+struct Coefficients {
+    std::array<double, 3> sigma_a = {};
+    std::array<double, 3> sigma_s_reduced = {}; ///< (1 - g) sigma_s
+    double index = 1.3;                         ///< inside over outside
+};
+
+/// A medium by the colour of a thick layer of it in diffuse light, linear, 0..1.
+struct Colour {
+    std::array<double, 3> reflectance = {};
+    std::array<double, 3> mean_free_path_mm = {}; ///< how far light spreads, per channel
+};
+
+using MaterialId = Name<struct MaterialTag>;
+
+/// A material of the study's own, beside the measured ones.
+struct OwnMaterial {
+    MaterialId id; ///< as scenes name it
+    std::variant<Coefficients, Colour> medium;
+    int line = 0;
+};
+
 /// A named analytic body or a model file, and how it is looked at.
 struct Scene {
     SceneId id;
@@ -57,7 +79,9 @@ struct Scene {
     double elevation_degrees = 0;         ///< the camera's height above the horizon
     std::array<double, 3> up = {0, 1, 0}; ///< which way is up in the model's coordinates
     double diameter_mm = 100;             ///< diameter of the model's bounding sphere in the world
-    std::string material;                 ///< a measured material by name
+    std::optional<double> mm_per_unit =
+        {};               ///< of the model's coordinates; instead of `diameter_mm`
+    std::string material; ///< one of the study's own, or a measured one, by name
     int line = 0;
 };
 
@@ -115,6 +139,7 @@ struct Study {
     Surround surround;
     SessionPlan plan;
     Instructions instructions;
+    std::vector<OwnMaterial> materials;
     std::vector<Scene> scenes;
     std::vector<Variant>
         variants; ///< empty: scenes are shown one way only, under the variant id ""
@@ -124,7 +149,7 @@ struct Study {
 /// What a study file may name that this module does not know.
 struct KnownNames {
     std::vector<std::string> methods;
-    std::vector<std::string> materials;
+    std::vector<std::string> materials; ///< the measured ones
 
     /// The dials of a method with presets for those that are not given, or what is wrong with one.
     std::function<tl::expected<Dials, DialProblem>(const std::string& method, const Dials& given)>
@@ -138,6 +163,9 @@ struct KnownNames {
 ///         conditions.
 Expected<Study>
 parse_study(std::string_view text, std::string_view file_name, const KnownNames& known);
+
+/// The study's own material of that name; null for a measured one.
+const OwnMaterial* own_material(const Study& study, std::string_view name);
 
 /// The variants to show: those of the file, or the single nameless one.
 std::vector<Variant> shown_variants(const Study& study);

@@ -1,5 +1,6 @@
 // Reads a study, strictly, so that a slip of the pen cannot change an experiment.
 // The form is documented in docs/study-file.md.
+#include "protocols/material_section.h"
 #include "protocols/section.h"
 #include "protocols/study.h"
 
@@ -151,7 +152,19 @@ Condition read_condition(Section section, const KnownNames& known) {
 /// What is not rendered needs no model, no material and no light.
 enum class Pictures { Rendered, MadeElsewhere };
 
-Scene read_scene(Section section, const KnownNames& known, Pictures pictures) {
+void read_size(Section& section, Scene& scene) {
+    section.number("diameter_mm", {0.001, 1e6}, scene.diameter_mm);
+    if (!section.has("mm_per_unit"))
+        return;
+    scene.mm_per_unit = 1;
+    section.number("mm_per_unit", {1e-9, 1e9}, *scene.mm_per_unit);
+    if (section.has("diameter_mm"))
+        section.note("mm_per_unit", "a scene with both 'diameter_mm' and 'mm_per_unit', expected "
+                                    "one: either gives the model's size");
+}
+
+/// `materials`: the names a scene may use.
+Scene read_scene(Section section, const std::vector<std::string>& materials, Pictures pictures) {
     const auto missing =
         pictures == Pictures::Rendered ? std::nullopt : std::optional<std::string>("");
     Scene scene;
@@ -164,8 +177,8 @@ Scene read_scene(Section section, const KnownNames& known, Pictures pictures) {
     section.number("turn_degrees", {-360, 360}, scene.turn_degrees);
     section.number("elevation_degrees", {-90, 90}, scene.elevation_degrees);
     scene.up = section.direction("up", scene.up);
-    section.number("diameter_mm", {0.001, 1e6}, scene.diameter_mm);
-    scene.material = section.one_of("material", known.materials, missing);
+    read_size(section, scene);
+    scene.material = section.one_of("material", materials, missing);
     section.expect_nothing_else();
     return scene;
 }
@@ -233,13 +246,19 @@ Study read_study(const Table& root, const KnownNames& known, Problems& problems)
                     })
             ? Pictures::Rendered
             : Pictures::MadeElsewhere;
+    auto materials = known.materials;
+    for (auto& section : file.tables("material")) {
+        study.materials.push_back(read_material(std::move(section), known));
+        materials.push_back(study.materials.back().id.value);
+    }
     for (auto& section : file.tables("scene"))
-        study.scenes.push_back(read_scene(std::move(section), known, pictures));
+        study.scenes.push_back(read_scene(std::move(section), materials, pictures));
     for (auto& section : file.tables("variant"))
         study.variants.push_back(read_variant(std::move(section), pictures));
     file.expect_nothing_else();
 
     expect_own_ids(study.conditions, "condition", problems);
+    expect_own_ids(study.materials, "material", problems);
     expect_own_ids(study.scenes, "scene", problems);
     expect_own_ids(study.variants, "variant", problems);
     if (problems.first())

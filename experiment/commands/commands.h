@@ -21,6 +21,7 @@ void add_schedule(CLI::App& program);
 void add_thickness(CLI::App& program);
 void add_reference(CLI::App& program);
 void add_compare(CLI::App& program);
+void add_methods(CLI::App& program);
 void add_demo(CLI::App& program);
 
 /// Writes a new study of the named template into `path`.  Errors: CommandError when there is a

@@ -1,8 +1,8 @@
 // From a study's words to matter, lights and camera.
 #include "experiment/stimuli/lit_scene.h"
 
+#include "experiment/materials.h"
 #include "renderer/camera.h"
-#include "renderer/materials.h"
 
 #include <fmt/format.h>
 
@@ -32,16 +32,17 @@ renderer::Light light_of(const protocols::Light& light, const renderer::Camera& 
 tl::expected<renderer::Scene, std::string> seen_scene(const protocols::Study& study,
                                                       const protocols::Scene& scene,
                                                       const renderer::geometry::Mesh& mesh) {
-    const auto material = renderer::measured_material(scene.material);
+    const auto material = material_of(study, scene);
     if (!material)
         return tl::unexpected(fmt::format("no material \"{}\"", scene.material));
     const auto& up = scene.up;
     const renderer::Turntable turntable{
         scene.turn_degrees, scene.elevation_degrees, {up[0], up[1], up[2]}};
-    const renderer::Millimetres diameter{scene.diameter_mm};
+    const auto sphere = renderer::geometry::bounding_sphere(mesh);
+    const renderer::Millimetres diameter{scene.mm_per_unit ? 2 * sphere.radius * *scene.mm_per_unit
+                                                           : scene.diameter_mm};
     renderer::Scene seen;
-    seen.placement =
-        renderer::place(renderer::geometry::bounding_sphere(mesh), diameter, turntable);
+    seen.placement = renderer::place(sphere, diameter, turntable);
     seen.camera =
         renderer::frame(diameter, turntable, static_cast<double>(study.width) / study.height);
     seen.material = *material;

@@ -3,16 +3,40 @@
 
 #include "protocols/digest.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace experiment::stimuli {
 
 namespace {
 
 std::string described(const protocols::Scene& scene) {
-    return fmt::format("scene {} {} turn {} elevation {} up {} {} {} diameter {} material {}\n",
+    const auto size = scene.mm_per_unit ? fmt::format("unit {}", *scene.mm_per_unit)
+                                        : fmt::format("diameter {}", scene.diameter_mm);
+    return fmt::format("scene {} {} turn {} elevation {} up {} {} {} {} material {}\n",
                        scene.id.value, scene.model, scene.turn_degrees, scene.elevation_degrees,
-                       scene.up[0], scene.up[1], scene.up[2], scene.diameter_mm, scene.material);
+                       scene.up[0], scene.up[1], scene.up[2], size, scene.material);
+}
+
+std::string described(const protocols::Coefficients& medium) {
+    return fmt::format("absorbs {} scatters {} index {}", fmt::join(medium.sigma_a, " "),
+                       fmt::join(medium.sigma_s_reduced, " "), medium.index);
+}
+
+std::string described(const protocols::Colour& colour) {
+    return fmt::format("colour {} spreads {}", fmt::join(colour.reflectance, " "),
+                       fmt::join(colour.mean_free_path_mm, " "));
+}
+
+/// What a name of the study's own stands for; a measured one belongs to the program.
+std::string described_material(const protocols::Study& study, const protocols::Scene& scene) {
+    const auto* own = protocols::own_material(study, scene.material);
+    return own == nullptr ? ""
+                          : std::visit(
+                                [](const auto& medium) {
+                                    return fmt::format("material {}\n", described(medium));
+                                },
+                                own->medium);
 }
 
 std::string described(const protocols::Light& light) {
@@ -51,6 +75,7 @@ std::string recipe(const protocols::Study& study,
                                    PAIRLIGHT_PROGRAM_VERSION, renderer, model.file, model.sha256,
                                    study.width, study.height, samples, study.surround.code);
     text += described(scene);
+    text += described_material(study, scene);
     for (const auto& light : variant.lights)
         text += described(light);
     for (const auto& condition : study.conditions)

@@ -62,6 +62,35 @@ void occluded(RTCScene scene, Collector& collector, RTCRay& ray) {
 #endif
 }
 
+/// Stops at the first hit; afterwards `tfar` of a ray that met one is minus infinity.
+void occluded_without_filter(RTCScene scene, RTCRay& ray) {
+#if RTC_VERSION_MAJOR < 4
+    QueryContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &ray);
+#else
+    rtcOccluded1(scene, &ray, nullptr);
+#endif
+}
+
+RTCRay ray_between(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) {
+    RTCRay ray{};
+    ray.org_x = origin.x;
+    ray.org_y = origin.y;
+    ray.org_z = origin.z;
+    ray.dir_x = direction.x;
+    ray.dir_y = direction.y;
+    ray.dir_z = direction.z;
+    ray.tnear = nearest;
+    ray.tfar = farthest;
+    ray.mask = ~0u;
+    return ray;
+}
+
+RTCRay endless_ray(glm::vec3 origin, glm::vec3 direction, float nearest) {
+    return ray_between(origin, direction, nearest, std::numeric_limits<float>::infinity());
+}
+
 RTCSceneFlags scene_flags() {
     // Robust: neighbours agree about their common edge, so that no ray slips through between them.
 #if RTC_VERSION_MAJOR < 4
@@ -82,20 +111,6 @@ void fill(RTCGeometry geometry,
     if (buffer == nullptr)
         throw std::runtime_error(fmt::format("Embree has no room for {} elements", values.size()));
     std::memcpy(buffer, values.data(), sizeof(T) * values.size());
-}
-
-RTCRay ray_between(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) {
-    RTCRay ray{};
-    ray.org_x = origin.x;
-    ray.org_y = origin.y;
-    ray.org_z = origin.z;
-    ray.dir_x = direction.x;
-    ray.dir_y = direction.y;
-    ray.dir_z = direction.z;
-    ray.tnear = nearest;
-    ray.tfar = farthest;
-    ray.mask = ~0u;
-    return ray;
 }
 
 bool is_finite(glm::dvec3 p) {
@@ -177,25 +192,21 @@ void RayScene::all_hits(glm::vec3 origin,
                         float nearest,
                         std::vector<Hit>& hits) const {
     hits.clear();
-    RTCRay ray = ray_between(origin, direction, nearest, std::numeric_limits<float>::infinity());
+    RTCRay ray = endless_ray(origin, direction, nearest);
     Collector collector{{}, &hits, triangles_.data()};
     occluded(handles_->scene, collector, ray);
 }
 
+bool RayScene::is_occluded(glm::vec3 origin, glm::vec3 direction, float nearest) const {
+    RTCRay ray = endless_ray(origin, direction, nearest);
+    occluded_without_filter(handles_->scene, ray);
+    return ray.tfar < 0;
+}
+
 bool RayScene::meets(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) const {
     RTCRay ray = ray_between(origin, direction, nearest, farthest);
-    QueryContext context;
-#if RTC_VERSION_MAJOR < 4
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(handles_->scene, &context, &ray);
-#else
-    rtcInitRayQueryContext(&context);
-    RTCOccludedArguments arguments;
-    rtcInitOccludedArguments(&arguments);
-    arguments.context = &context;
-    rtcOccluded1(handles_->scene, &ray, &arguments);
-#endif
-    return ray.tfar < 0; // Embree's sign for a ray that met something
+    occluded_without_filter(handles_->scene, ray);
+    return ray.tfar < 0;
 }
 
 std::optional<Hit>

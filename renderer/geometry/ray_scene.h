@@ -52,6 +52,10 @@ class RayScene {
     void
     all_hits(glm::vec3 origin, glm::vec3 direction, float nearest, std::vector<Hit>& hits) const;
 
+    /// Whether the ray meets anything farther than `nearest` from its origin.
+    /// Units: `origin` in scene coordinates, `direction` unit length.
+    bool is_occluded(glm::vec3 origin, glm::vec3 direction, float nearest) const;
+
     /// Whether the ray meets a triangle between the two distances.
     bool meets(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) const;
 

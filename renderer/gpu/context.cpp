@@ -106,6 +106,10 @@ std::string description() {
     return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
 }
 
+void finish() {
+    glFinish();
+}
+
 Expected<void> check(const char* place) {
     const GLenum first = glGetError();
     while (glGetError() != GL_NO_ERROR) {

@@ -34,6 +34,9 @@ class Context {
 /// The current context's renderer and version as the driver words them, for the manifest.
 std::string description();
 
+/// Waits until everything that was asked for is drawn.
+void finish();
+
 /// What went wrong in OpenGL since the last call, if anything did; `place` begins the message.
 Expected<void> check(const char* place);
 

@@ -2,6 +2,8 @@
 #include "renderer/harmonics/directions.h"
 
 #include "renderer/contract.h"
+#include "renderer/harmonics/gauss_legendre.h"
+#include "renderer/splitmix.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -14,19 +16,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// The state moves on by the golden gamma; the result is its avalanche.  [SplitMix]
-std::uint64_t splitmix64(std::uint64_t& state) {
-    std::uint64_t z = state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-/// Uniform in [0, 1), 53 bits.
-double uniform(std::uint64_t& state) {
-    return static_cast<double>(splitmix64(state) >> 11) * 0x1p-53;
-}
-
 /// Uniform over all rotations: a uniform point on the unit 3-sphere.  [Shoemake1992]
 glm::dquat random_rotation(std::uint64_t seed) {
     std::uint64_t state = seed;
@@ -38,40 +27,6 @@ glm::dquat random_rotation(std::uint64_t seed) {
 glm::dvec3 from_z_and_longitude(double z, double longitude) {
     const double r = std::sqrt(std::max(0.0, 1 - z * z));
     return {r * std::cos(longitude), r * std::sin(longitude), z};
-}
-
-struct LegendreValue {
-    double p;          ///< P_n(x)
-    double derivative; ///< P_n'(x)
-};
-
-LegendreValue legendre(int n, double x) {
-    double before = 1, p = x;
-    for (int k = 2; k <= n; ++k) {
-        const double next = ((2 * k - 1) * x * p - (k - 1) * before) / k;
-        before = p;
-        p = next;
-    }
-    return {p, n * (before - x * p) / (1 - x * x)};
-}
-
-struct GaussNode {
-    double x, weight;
-};
-
-/// Roots of P_n by Newton's iteration from Tricomi's guess; five steps suffice, ten are taken.
-std::vector<GaussNode> gauss_legendre(int n) {
-    std::vector<GaussNode> nodes;
-    for (int i = 0; i < n; ++i) {
-        double x = std::cos(pi * (i + 0.75) / (n + 0.5));
-        for (int step = 0; step < 10; ++step) {
-            const auto [p, derivative] = legendre(n, x);
-            x -= p / derivative;
-        }
-        const double derivative = legendre(n, x).derivative;
-        nodes.push_back({x, 2 / ((1 - x * x) * derivative * derivative)});
-    }
-    return nodes;
 }
 
 } // namespace

@@ -4,7 +4,10 @@
 #include "renderer/contract.h"
 #include "renderer/methods/constant.h"
 #include "renderer/methods/green.h"
+#include "renderer/methods/jensen.h"
+#include "renderer/methods/patro.h"
 #include "renderer/methods/phong.h"
+#include "renderer/methods/prt.h"
 #include "renderer/methods/shss.h"
 
 #include <fmt/format.h>
@@ -16,10 +19,15 @@ namespace renderer::methods {
 
 std::span<const Description> catalogue() {
     static const std::array all{
+        // clang-format off: a method a line
         describe_shss(),
         describe_green(),
+        describe_patro(),
+        describe_prt(),
+        describe_jensen(),
         describe_constant(),
         describe_phong(),
+        // clang-format on
     };
     return all;
 }

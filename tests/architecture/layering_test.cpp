@@ -1,5 +1,6 @@
 // Reads every #include of the four modules: arrows point one way, and each outside library has one
 // door.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -58,7 +59,8 @@ TEST(Layering, ArrowsPointOneWay) {
     }
 }
 
-// The libraries whose types stop at one folder's door, and the folder (or file) that is the door.
+// The libraries whose types stop at a folder's door, and the folder (or file) that is the door; one
+// that two rooms use apart from each other has two.
 TEST(Layering, EachOutsideLibraryHasOneDoor) {
     const std::vector<std::pair<std::string, std::string>> doors{
         {"embree3/", "renderer/geometry/"},
@@ -70,15 +72,23 @@ TEST(Layering, EachOutsideLibraryHasOneDoor) {
         {"toml++/", "protocols/"},
         {"boost/multiprecision", "protocols/"},
         {"Eigen/", "analysis/"},
+        {"Eigen/", "renderer/smoothing/"},
+        {"Eigen/", "renderer/transfer/"},
         {"boost/math", "analysis/numerics/"},
         {"sqlite3.h", "experiment/store/"},
         {"GLFW/", "experiment/session/"},
         {"CLI/", "experiment/"},
     };
+    const auto stands_in_a_door = [&](const std::string& file, const std::string& library) {
+        return std::any_of(doors.begin(), doors.end(), [&](const auto& each) {
+            return each.first == library && file.starts_with(each.second);
+        });
+    };
     for (const auto& module : modules)
         for (const auto& include : includes_below(module))
             for (const auto& [library, door] : doors)
-                EXPECT_TRUE(!include.target.starts_with(library) || include.file.starts_with(door))
+                EXPECT_TRUE(!include.target.starts_with(library) ||
+                            stands_in_a_door(include.file, library))
                     << include.file << ':' << include.line << ": " << library << " belongs behind "
                     << door;
 }

@@ -1,0 +1,72 @@
+// pairlight methods: every shading method and its dials, as a study file may name them.
+#include "experiment/commands/commands.h"
+#include "renderer/methods/catalogue.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace experiment::commands {
+
+namespace {
+
+using renderer::methods::Description;
+using renderer::methods::Dial;
+using renderer::methods::text_of;
+
+std::string values_of(const Dial& dial) {
+    std::string values;
+    const auto add = [&](const std::string& more) {
+        values += values.empty() ? more : ", " + more;
+    };
+    if (dial.whole)
+        add(fmt::format("{} to {}, whole", dial.whole->least, dial.whole->most));
+    if (dial.number)
+        add(fmt::format("{} to {}", dial.number->least, dial.number->most));
+    for (const auto& name : dial.names)
+        add(fmt::format("\"{}\"", name));
+    return values;
+}
+
+std::string as_text(const Description& method) {
+    auto text = fmt::format("{}: {}{}\n", method.name, method.label,
+                            method.source.empty() ? "" : fmt::format(" [{}]", method.source));
+    for (const auto& dial : method.dials)
+        text += fmt::format("    {} = {} ({}): {}\n", dial.name, text_of(dial.preset),
+                            values_of(dial), dial.meaning);
+    return text;
+}
+
+std::string as_markdown(const Description& method) {
+    auto text = fmt::format("\n## `{}`: {}{}\n\n", method.name, method.label,
+                            method.source.empty() ? "" : fmt::format(" [{}]", method.source));
+    if (method.dials.empty())
+        return text + "No dials.\n";
+    text += "| dial | meaning | values | preset |\n|---|---|---|---|\n";
+    for (const auto& dial : method.dials)
+        text += fmt::format("| `{}` | {} | {} | {} |\n", dial.name, dial.meaning, values_of(dial),
+                            text_of(dial.preset));
+    return text;
+}
+
+} // namespace
+
+void add_methods(CLI::App& program) {
+    const auto markdown = std::make_shared<bool>(false);
+    auto* command = program.add_subcommand(
+        "methods", "The shading methods and their dials, as a study file may name them");
+    command->add_flag("--markdown", *markdown, "As the page docs/methods.md");
+    command->callback([markdown] {
+        if (*markdown)
+            fmt::print("# Methods\n\nWhat `method` and its dials may be in a `[[condition]]`. Keys "
+                       "in brackets are those of [bibliography.md](bibliography.md). This page is "
+                       "the output of `pairlight methods --markdown`.\n");
+        for (const auto& method : renderer::methods::catalogue())
+            fmt::print("{}", *markdown ? as_markdown(method) : as_text(method));
+    });
+}
+
+} // namespace experiment::commands

@@ -1,0 +1,246 @@
+// What a frame costs, by every method: processor time at 1280 x 800, under a moving light and with
+// the light at rest, against Phong's model with a constant translucency.
+//
+//   frame_bench [--rounds N] [--width W --height H] [--law paper|physical] MODEL...
+//
+// Variants take turns in every round, so that the machine's moods meet all of them; a ratio is
+// taken within a round, and its median and quartiles over the rounds are printed, then the
+// geometric mean of the medians over the models.  Processor time counts all threads of the
+// rasteriser.
+#include "renderer/camera.h"
+#include "renderer/geometry/mesh_repair.h"
+#include "renderer/geometry/model_library.h"
+#include "renderer/gpu/context.h"
+#include "renderer/gpu/target.h"
+#include "renderer/materials.h"
+#include "renderer/methods/catalogue.h"
+
+#include <fmt/format.h>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace renderer;
+using methods::Dials;
+
+template <class T>
+T value_or_throw(Expected<T> result) {
+    if (!result)
+        throw std::runtime_error(result.error());
+    return std::move(*result);
+}
+
+double processor_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Options {
+    int rounds = 15;
+    int width = 1280, height = 800;
+    std::string law = "physical";
+    std::vector<std::string> models;
+};
+
+Options options_of(int argc, char** argv) {
+    Options options;
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const auto next = [&] {
+            if (i + 1 == words.size())
+                throw std::runtime_error(words[i] + " without a value");
+            return words[++i];
+        };
+        if (words[i] == "--rounds")
+            options.rounds = std::stoi(next());
+        else if (words[i] == "--width")
+            options.width = std::stoi(next());
+        else if (words[i] == "--height")
+            options.height = std::stoi(next());
+        else if (words[i] == "--law")
+            options.law = next();
+        else
+            options.models.push_back(words[i]);
+    }
+    if (options.models.empty())
+        throw std::runtime_error("frame_bench [--rounds N] [--law paper|physical] MODEL...");
+    return options;
+}
+
+/// A method and how it is asked to draw.
+struct Variant {
+    std::string name;
+    std::shared_ptr<methods::Method> method;
+    bool light_moves;
+    std::vector<double> seconds; ///< of one frame, one a round
+};
+
+constexpr int frames_per_turn = 4;
+
+Scene scene_of(const geometry::Mesh& mesh, const Options& options) {
+    const Millimetres diameter{100};
+    const Turntable table{.turn_degrees = 30, .elevation_degrees = 15};
+    Scene scene;
+    scene.placement = place(geometry::bounding_sphere(mesh), diameter, table);
+    scene.camera = frame(diameter, table, static_cast<double>(options.width) / options.height);
+    scene.material = *measured_material("marble");
+    scene.lights = {{DirectionalLight{{0, 0.3, -1}}, {1, 1, 1}}};
+    return scene;
+}
+
+/// The light goes around the body, a degree a frame.
+void move_light(Scene& scene, int frame) {
+    const double angle = glm::radians(static_cast<double>(frame));
+    scene.lights.front().place = DirectionalLight{{std::sin(angle), 0.3, -std::cos(angle)}};
+}
+
+double seconds_of_a_frame(Variant& variant, Scene scene, int first_frame) {
+    value_or_throw(variant.method->update(scene).map([] { return 0; }));
+    variant.method->draw(scene);
+    gpu::finish();
+    const double start = processor_seconds();
+    for (int i = 0; i < frames_per_turn; ++i) {
+        if (variant.light_moves)
+            move_light(scene, first_frame + i);
+        value_or_throw(variant.method->update(scene).map([] { return 0; }));
+        variant.method->draw(scene);
+        gpu::finish();
+    }
+    return (processor_seconds() - start) / frames_per_turn;
+}
+
+std::vector<Variant> variants_for(const geometry::Mesh& mesh, const Options& options) {
+    const auto scene = scene_of(mesh, options);
+    std::map<int, std::shared_ptr<const thickness::ThicknessField>> fields;
+    const methods::Subject subject{
+        .mesh = mesh,
+        .surface = value_or_throw(methods::Surface::upload(mesh)),
+        .material = scene.material,
+        .placement = scene.placement,
+        .field = [&](thickness::FieldOptions asked)
+            -> Expected<std::shared_ptr<const thickness::ThicknessField>> {
+            asked.directions = 256; // a frame's cost does not depend on it
+            auto& field = fields[asked.bands];
+            if (field == nullptr)
+                field = std::make_shared<const thickness::ThicknessField>(
+                    value_or_throw(thickness::compute_thickness_field(mesh, asked)));
+            return field;
+        },
+        .progress = {}};
+    std::vector<Variant> variants;
+    const auto add = [&](const std::string& label, const std::string& name, Dials dials) {
+        const auto* method = methods::find_method(name);
+        for (const auto& dial : method->dials)
+            if (dial.name == "law")
+                dials["law"] = options.law;
+        const std::shared_ptr<methods::Method> made =
+            value_or_throw(methods::prepare_method(name, dials, subject));
+        variants.push_back({label + ", light moves", made, true, {}});
+        variants.push_back({label + ", light rests", made, false, {}});
+    };
+    add("constant", "constant", {});
+    add("phong", "phong", {});
+    for (const int bands : {5, 2})
+        add(fmt::format("shss, {} coefficients", bands * bands), "shss",
+            {{"bands", std::int64_t{bands}}});
+    for (const auto& method : methods::catalogue())
+        if (method.name != "constant" && method.name != "phong" && method.name != "shss")
+            add(method.name, method.name, {});
+    return variants;
+}
+
+double quantile(std::vector<double> values, double q) {
+    std::sort(values.begin(), values.end());
+    const double place = q * static_cast<double>(values.size() - 1);
+    const auto i = static_cast<std::size_t>(place);
+    const double rest = place - static_cast<double>(i);
+    return i + 1 < values.size() ? values[i] * (1 - rest) + values[i + 1] * rest : values[i];
+}
+
+/// Medians of the ratios to the floor and to Phong, variant by variant.
+struct Ratios {
+    double to_floor, to_phong;
+};
+
+std::vector<double> ratios(const Variant& variant, const Variant& base) {
+    std::vector<double> result;
+    for (std::size_t round = 0; round < variant.seconds.size(); ++round)
+        result.push_back(variant.seconds[round] / base.seconds[round]);
+    return result;
+}
+
+std::map<std::string, Ratios> measure(const std::string& name, const Options& options) {
+    const auto model = value_or_throw(geometry::find_model(name, {".", {"."}}));
+    const auto mesh =
+        value_or_throw(geometry::prepare(value_or_throw(geometry::load_model(model)), name)).mesh;
+    const auto target = value_or_throw(gpu::Target::create(options.width, options.height));
+    const auto scene = scene_of(mesh, options);
+    auto variants = variants_for(mesh, options);
+    const auto drawing = target.draw_into();
+    for (int round = -1; round < options.rounds; ++round)
+        for (std::size_t k = 0; k < variants.size(); ++k) {
+            auto& variant = variants[(k + static_cast<std::size_t>(round + 1)) % variants.size()];
+            target.clear();
+            const double seconds = seconds_of_a_frame(variant, scene, 7 * round);
+            if (round >= 0) // the first round compiles shaders
+                variant.seconds.push_back(seconds);
+        }
+    fmt::print("\n{}: {} vertices, {} triangles, law {}, {} rounds of {} frames\n\n", name,
+               mesh.positions.size(), mesh.triangles.size(), options.law, options.rounds,
+               frames_per_turn);
+    fmt::print(
+        "| variant | ms of processor time | ratio to the floor (quartiles) | ratio to Phong | "
+        "bytes a vertex |\n|---|---|---|---|---|\n");
+    std::map<std::string, Ratios> medians;
+    for (const auto& variant : variants) {
+        const auto floor = ratios(variant, variants[1]), phong = ratios(variant, variants[3]);
+        fmt::print("| {} | {:.2f} | {:.3f} ({:.3f}-{:.3f}) | {:.3f} | {} |\n", variant.name,
+                   1000 * quantile(variant.seconds, 0.5), quantile(floor, 0.5),
+                   quantile(floor, 0.25), quantile(floor, 0.75), quantile(phong, 0.5),
+                   variant.method->cost().bytes_per_vertex);
+        medians[variant.name] = {quantile(floor, 0.5), quantile(phong, 0.5)};
+    }
+    return medians;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const auto options = options_of(argc, argv);
+        const auto context = value_or_throw(gpu::Context::surfaceless());
+        fmt::print("{}, {} x {}\n", gpu::description(), options.width, options.height);
+        std::map<std::string, std::vector<Ratios>> all;
+        for (const auto& model : options.models)
+            for (const auto& [variant, medians] : measure(model, options))
+                all[variant].push_back(medians);
+        fmt::print("\nGeometric mean over {} models\n\n| variant | to the floor | to Phong |\n"
+                   "|---|---|---|\n",
+                   options.models.size());
+        for (const auto& [variant, each] : all) {
+            double floor = 0, phong = 0;
+            for (const auto& one : each) {
+                floor += std::log(one.to_floor);
+                phong += std::log(one.to_phong);
+            }
+            const auto n = static_cast<double>(each.size());
+            fmt::print("| {} | {:.3f} | {:.3f} |\n", variant, std::exp(floor / n),
+                       std::exp(phong / n));
+        }
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "frame_bench: {}\n", error.what());
+        return EXIT_FAILURE;
+    }
+    return EXIT_SUCCESS;
+}
