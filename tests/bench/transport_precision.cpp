@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <limits>
@@ -132,6 +133,7 @@ int main(int argc, char** argv) {
         fmt::print("| {} | {:.9g} | {:.7f} | {:.1e} | {:.1e} | {:+.2f} | {:.2e} | {:.1f} |\n",
                    name_of(anchor), anchor.exact, estimate.value, estimate.standard_error,
                    estimate.standard_error / anchor.exact, z, static_cast<double>(paths), taken);
+        std::fflush(stdout); // a run that is cut short leaves what it has
         ++all;
         failures += std::abs(z) <= 4 ? 0 : 1;
         met += estimate.standard_error <= relative * anchor.exact ? 1 : 0;
