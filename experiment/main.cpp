@@ -30,6 +30,8 @@ int main(int argc, char** argv) {
              commands::add_demo,
              commands::add_schedule,
              commands::add_thickness,
+             commands::add_reference,
+             commands::add_compare,
              commands::add_verify,
          })
         // clang-format on

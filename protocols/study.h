@@ -151,6 +151,9 @@ struct KnownNames {
     std::vector<std::string> methods;
     std::vector<std::string> materials; ///< the measured ones
 
+    /// A word that people have to read in the label of a condition of this method, by method.
+    std::map<std::string, std::string> caveats = {};
+
     /// The dials of a method with presets for those that are not given, or what is wrong with one.
     std::function<tl::expected<Dials, DialProblem>(const std::string& method, const Dials& given)>
         complete;

@@ -130,6 +130,21 @@ void read_own_images(Section& section) {
                                             entry.key));
 }
 
+/// What is not what its name says has to say so wherever people read it.
+void honour_caveat(Section& section,
+                   const KnownNames& known,
+                   const std::string& method,
+                   Condition& condition) {
+    const auto caveat = known.caveats.find(method);
+    if (caveat == known.caveats.end() || condition.label.find(caveat->second) != std::string::npos)
+        return;
+    if (section.has("label"))
+        section.refuse("label",
+                       fmt::format("the word \"{}\" in it, for that is what method '{}' is",
+                                   caveat->second, method));
+    condition.label += fmt::format(" ({})", caveat->second);
+}
+
 Condition read_condition(Section section, const KnownNames& known) {
     Condition condition;
     condition.line = section.line();
@@ -139,7 +154,9 @@ Condition read_condition(Section section, const KnownNames& known) {
         condition.source = OwnImages{};
         read_own_images(section);
     } else if (section.has("method")) {
-        condition.source = read_rendering(section, known);
+        auto rendering = read_rendering(section, known);
+        honour_caveat(section, known, rendering.method, condition);
+        condition.source = std::move(rendering);
     } else {
         section.note("id", fmt::format("[[condition]] '{}' has no 'method', expected one of {}, or "
                                        "source = \"images\"",

@@ -21,6 +21,8 @@ void add_anova(CLI::App& program);
 void add_report(CLI::App& program);
 void add_schedule(CLI::App& program);
 void add_thickness(CLI::App& program);
+void add_reference(CLI::App& program);
+void add_compare(CLI::App& program);
 void add_methods(CLI::App& program);
 void add_demo(CLI::App& program);
 
