@@ -21,6 +21,13 @@ int main(int argc, char** argv) {
              commands::add_methods,
              commands::add_view,
              commands::add_render,
+             commands::add_import,
+             commands::add_display,
+             commands::add_photometer,
+             commands::add_timing_check,
+             commands::add_pages,
+             commands::add_register,
+             commands::add_observers,
              commands::add_session,
              commands::add_simulate,
              commands::add_export,
@@ -33,6 +40,7 @@ int main(int argc, char** argv) {
              commands::add_reference,
              commands::add_compare,
              commands::add_verify,
+             commands::add_withdraw,
          })
         // clang-format on
         add(program);

@@ -3,6 +3,7 @@
 
 #include "experiment/reference_dials.h"
 #include "experiment/text_files.h"
+#include "protocols/calibration.h"
 #include "protocols/digest.h"
 #include "renderer/materials.h"
 #include "renderer/methods/catalogue.h"
@@ -23,6 +24,24 @@ fs::path model_cache() {
         return fs::path(cache) / "pairlight" / "models";
     const char* home = std::getenv("HOME");
     return fs::path(home != nullptr ? home : "/") / ".cache" / "pairlight" / "models";
+}
+
+// A measured curve, and the surround by it.
+tl::expected<void, std::string> read_calibration(const StudyFolder& folder,
+                                                 protocols::Study& study) {
+    auto& eotf = study.display.eotf;
+    if (eotf.kind != protocols::Eotf::Kind::Measured)
+        return {};
+    const auto file = folder.root / eotf.file;
+    const auto text = read_text_file(file);
+    if (!text)
+        return tl::unexpected(text.error() + "; `pairlight photometer` makes it");
+    auto steps = protocols::parse_photometer(*text, file.string());
+    if (!steps)
+        return tl::unexpected(steps.error());
+    eotf.steps = std::move(*steps);
+    study.surround = protocols::surround_of(study.surround.definition, eotf).value();
+    return {};
 }
 
 } // namespace
@@ -57,6 +76,8 @@ tl::expected<LoadedStudy, std::string> read_study(const fs::path& path) {
     auto study = protocols::parse_study(*text, folder.study_file().string(), known_names());
     if (!study)
         return tl::unexpected(study.error());
+    if (auto measured = read_calibration(folder, *study); !measured)
+        return tl::unexpected(measured.error());
     return LoadedStudy{folder, std::move(*study), protocols::sha256_hexadecimal(*text)};
 }
 
