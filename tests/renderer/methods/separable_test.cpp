@@ -54,9 +54,9 @@ TEST_F(Separable, LeavesConstantLightAsItIs) {
     EXPECT_LE(largest_difference(sharp, blurred), 5e-6);
 }
 
-// A near light makes a bright spot on a plate: it spreads, and its sum stays.  At the rim weights
-// come back to the pixel that lost them, in pairs but for the fractions between texels, where the
-// spot is a hundredth as bright.
+// A near light makes a bright spot on a plate: it spreads, and its sum stays.  Pixels exchange with
+// the same weight either way, and at the rim weights come back to the pixel that lost them: only
+// rounding is left, of sums of 25 floats twice.
 TEST_F(Separable, KeepsTheEnergy) {
     const auto plate = geometry::slab(2, 2, 0.1, 4);
     auto scene = wide_scene(plate, {0, 0, 1});
@@ -72,7 +72,7 @@ TEST_F(Separable, KeepsTheEnergy) {
         peak_blurred = glm::max(peak_blurred, rgb(blurred.pixels[i]));
     }
     for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(sum_blurred[c], sum_sharp[c], 1e-3 * sum_sharp[c]) << c;
+        EXPECT_NEAR(sum_blurred[c], sum_sharp[c], 1e-5 * sum_sharp[c]) << c;
     EXPECT_LT(peak_blurred.r, 0.9 * peak_sharp.r);
     EXPECT_LT(peak_blurred.r, peak_blurred.b); // the shorter way blurs less
 }
@@ -108,15 +108,19 @@ TEST_P(SeparableStep, IsTheProfilesIntegral) {
         const double x = (upright ? hit->point.x : hit->point.y) - 0.5 * mm;
         const auto colour = rgb(pixel(image, column, row));
         for (int c = 0; c < 3; ++c) {
-            const double far = methods::line_profile_beyond(std::abs(x), d[c]);
-            const double passed = x < 0 ? 1 - far : far; // the part of the profile over the thick
+            const auto up_to = [&](double edge) {
+                const double beyond = methods::line_profile_beyond(std::abs(edge), d[c]);
+                return edge < 0 ? beyond : 1 - beyond;
+            };
+            // The part of the profile between the rims, at 0 and at -1 model unit.
+            const double passed = up_to(-x) - up_to(-x - mm);
             // A pixel is 0.54 mm wide, and the step falls somewhere in one: off by half of what the
             // profile has within a pixel, a little more as samples mix two pixels.
             const double a_pixel = 1 - 2 * methods::line_profile_beyond(0.27, d[c]);
             EXPECT_NEAR(colour[c], thin + passed * (thick - thin),
                         0.6 * a_pixel * (thin - thick) * std::exp(-std::abs(x) / (3 * d[c])) + 1e-3)
                 << i << ' ' << c;
-            between += far > 0.05 && far < 0.45 ? 1 : 0;
+            between += passed > 0.05 && passed < 0.95 ? 1 : 0;
         }
     }
     EXPECT_GE(between, 6);
@@ -158,7 +162,7 @@ TEST_F(Separable, KeepsHighlightsSharp) {
 TEST_F(Separable, IsGreenWhereLightDoesNotSpread) {
     const auto ring = geometry::torus(1, 0.4, 48, 24);
     auto scene = scene_of(ring, {0.3, 0.2, -1});
-    scene.material.medium = {.sigma_a = {0.1, 0.2, 0.3}, .sigma_s_reduced = {1e5, 1e5, 1e5}};
+    scene.material.medium = {.sigma_a = {1e-7, 2e-7, 3e-7}, .sigma_s_reduced = {1e5, 1e5, 1e5}};
     scene.lights.push_back({PointLight{{10, 80, -40}}, {0.3F, 0.2F, 0.1F}});
     for (const auto law : {Law::Physical, Law::Paper}) {
         thickness::ThicknessField field;
@@ -200,7 +204,8 @@ TEST_F(Separable, CoversWhatEveryMethodCovers) {
 // Half of a larger frame buffer, as split views are drawn.
 TEST_F(Separable, StaysWithinItsViewport) {
     const auto sphere = geometry::sphere(1, 4);
-    const auto scene = wide_scene(sphere, {1, 1, -1});
+    auto scene = wide_scene(sphere, {1, 1, 1});
+    keep_diffuse_only(scene);
     const auto method = prepare(sphere, SeparableSettings{.depth_map = 256});
     const auto alone = methods::render_picture(*method, scene, size, size, 1);
     ASSERT_TRUE(alone);
@@ -218,7 +223,8 @@ TEST_F(Separable, StaysWithinItsViewport) {
         for (int column = 0; column < size; ++column) {
             const auto left = 4 * static_cast<std::size_t>((size - 1 - row) * 2 * size + column);
             EXPECT_EQ(rgba[left + 3], 0);
-            EXPECT_EQ(rgba[left + 4 * size], pixel(*alone, column, row).r);
+            // Rasterisers round by the place in the frame buffer.
+            EXPECT_NEAR(rgba[left + 4 * size], pixel(*alone, column, row).r, 1e-5F);
         }
 }
 
