@@ -20,8 +20,9 @@
 namespace renderer::methods {
 
 std::span<const Description> catalogue() {
+    // A method a line:
+    // clang-format off
     static const std::array all{
-        // clang-format off: a method a line
         describe_shss(),
         describe_green(),
         describe_green_blur(),
@@ -33,8 +34,8 @@ std::span<const Description> catalogue() {
         describe_separable(),
         describe_constant(),
         describe_phong(),
-        // clang-format on
     };
+    // clang-format on
     return all;
 }
 
