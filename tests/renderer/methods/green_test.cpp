@@ -228,12 +228,16 @@ TEST_F(GreenAtARim, JumpsByTheDepthStep) {
     for (int column = 14; column < size - 14; ++column) {
         const auto i = static_cast<std::size_t>(column);
         const double x = x_of(column), rim = width / 2 * mm;
+        // Toward the wide plate's edges its normals bend outward, by up to 55 degrees, and the bias
+        // takes a texel times that slope.
         if (std::abs(std::abs(x) - rim) > texel) {
-            EXPECT_NEAR(s[i], (std::abs(x) < rim ? 2 * t + gap : t) * mm, 1e-4) << x;
+            const double way = (std::abs(x) < rim ? 2 * t + gap : t) * mm;
+            EXPECT_LE(s[i], way + 1e-4) << x;
+            EXPECT_GE(s[i], way - 1.5 * texel) << x;
         }
         largest_jump = std::max(largest_jump, std::abs(s[i + 1] - s[i]));
     }
-    EXPECT_NEAR(largest_jump, (t + gap) * mm, 2e-4);
+    EXPECT_NEAR(largest_jump, (t + gap) * mm, 1.5 * texel);
 }
 
 // Blurred, the step becomes the Gaussian's integral across the rim.
@@ -422,7 +426,8 @@ TEST_F(Green, KnowsALightInTheMaterialWhenPeeled) {
         return thickness_under(scene, {0, 0, diameter.value / 2},
                                pixel(image, size / 2, size / 2).g);
     };
-    EXPECT_NEAR(at_centre_under(NearestMap{}), 0, 1e-4);
+    // A facet tilts by 0.02 against its sphere: over half a texel's diagonal, 0.28 mm.
+    EXPECT_NEAR(at_centre_under(NearestMap{}), 0, 0.01);
     EXPECT_NEAR(at_centre_under(PeeledMap{2}), diameter.value / 2, 0.1);
 }
 
