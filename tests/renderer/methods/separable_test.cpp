@@ -147,9 +147,9 @@ TEST_F(Separable, FollowsTheSurfaceAcrossAStepInDepth) {
     const auto sharp = picture(two, methods::GreenSettings{}, scene, size);
     const auto blurred = picture(two, SeparableSettings{}, scene, size);
     // The plates lie 38 mm apart: around the step e^-4 is left of the farthest samples, e^-7 of the
-    // others.  Within a plate the variance 7 d^2 to an axis meets the spot's curvature 3/h^2, 0.7
-    // %, and at a rim a one-sided kernel its slope: 0.8 d by 3 rho/(h^2 + rho^2), 1.5 %.  Light
-    // that jumped would show by 45 %.
+    // others.  Within a plate the variance 7 d^2 to an axis meets the curvature 2/h^2 of what falls
+    // with the square, 0.5 %, and at a rim a one-sided kernel its slope: 0.8 d by 2 rho/(h^2 + rho^2),
+    // 1 %.  Light that jumped would show by 40 %.
     const int row = size / 2;
     for (int column = 8; column < size - 8; ++column) {
         const auto here = pixel(sharp, column, row).r;
