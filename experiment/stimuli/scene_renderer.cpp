@@ -2,21 +2,20 @@
 #include "experiment/stimuli/scene_renderer.h"
 
 #include "experiment/materials.h"
+#include "experiment/staging.h"
 #include "experiment/stimuli/recipe.h"
 #include "experiment/text_files.h"
+#include "experiment/traced_fields.h"
 #include "protocols/digest.h"
-#include "renderer/camera.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/image_files.h"
 #include "renderer/methods/catalogue.h"
 #include "renderer/methods/picture.h"
 
 #include <fmt/core.h>
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <tuple>
 #include <utility>
 
 namespace experiment::stimuli {
@@ -24,7 +23,6 @@ namespace experiment::stimuli {
 namespace fs = std::filesystem;
 namespace imaging = renderer::imaging;
 namespace methods = renderer::methods;
-namespace thickness = renderer::thickness;
 
 using protocols::Picture;
 using protocols::Rendering;
@@ -37,76 +35,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Thickness of one mesh, traced once for every kind and number of directions, with as many bands
-/// as the study's methods usually ask for.
-class TracedFields {
-  public:
-    using Field = std::shared_ptr<const thickness::ThicknessField>;
-
-    TracedFields(LoadedModel& model, const thickness::Progress& progress)
-        : model_(model), progress_(progress) {}
-
-    Expected<Field> field(const thickness::FieldOptions& asked) {
-        auto options = asked;
-        options.bands = std::max(options.bands, thickness::FieldOptions{}.bands);
-        auto& traced = fields_[{options.kind, options.directions, options.bands}];
-        if (traced.field == nullptr) {
-            const auto start = Clock::now();
-            auto field = thickness::compute_thickness_field(model_.mesh, options, progress_);
-            if (!field)
-                return tl::unexpected(field.error());
-            remark(field->statistics);
-            traced.field = std::make_shared<const thickness::ThicknessField>(std::move(*field));
-            traced.seconds = seconds_since(start);
-            seconds_spent_ += traced.seconds;
-        }
-        seconds_owed_ += traced.seconds;
-        return traced.field;
-    }
-
-    /// What tracing would add to the time that whoever asked since the last call has taken, had
-    /// nobody else asked for the same before.
-    double take_seconds_saved() {
-        return std::exchange(seconds_owed_, 0) - std::exchange(seconds_spent_, 0);
-    }
-
-  private:
-    struct Traced {
-        double seconds = 0;
-        Field field;
-    };
-
-    void remark(const renderer::geometry::RayStatistics& rays) {
-        if (rays.retried + rays.fallbacks > 0)
-            model_.remarks.push_back(
-                fmt::format("{} of {} rays were traced again, {} decided by winding number",
-                            rays.retried, rays.rays, rays.fallbacks));
-    }
-
-    LoadedModel& model_;
-    const thickness::Progress& progress_;
-    std::map<std::tuple<thickness::Kind, int, int>, Traced> fields_;
-    double seconds_spent_ = 0;
-    double seconds_owed_ = 0;
-};
-
-renderer::Light light_of(const protocols::Light& light, const renderer::Camera& camera) {
-    const auto& [r, g, b] = light.intensity;
-    renderer::Light placed;
-    placed.intensity = {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)};
-    if (light.kind == protocols::Light::Kind::Far) {
-        const auto& [x, y, z] = light.to_light;
-        placed.place =
-            renderer::DirectionalLight{renderer::world_from_view_axes(camera, {x, y, z})};
-    } else {
-        // The scene's centre is the world's origin: a place turns like a direction.
-        const auto& [x, y, z] = light.position_mm;
-        placed.place = renderer::PointLight{renderer::world_from_view_axes(camera, {x, y, z}),
-                                            renderer::Millimetres{light.reference_mm}};
-    }
-    return placed;
 }
 
 } // namespace
@@ -169,25 +97,15 @@ Expected<void> SceneRenderer::prepare_contenders(const std::function<void(double
 }
 
 renderer::Scene SceneRenderer::seen() const {
-    const auto& up = scene_->up;
-    const renderer::Turntable turntable{
-        scene_->turn_degrees, scene_->elevation_degrees, {up[0], up[1], up[2]}};
-    const auto sphere = renderer::geometry::bounding_sphere(model_.mesh);
-    const renderer::Millimetres diameter{
-        scene_->mm_per_unit ? 2 * sphere.radius * *scene_->mm_per_unit : scene_->diameter_mm};
-    renderer::Scene scene;
-    scene.placement = renderer::place(sphere, diameter, turntable);
-    scene.camera =
-        renderer::frame(diameter, turntable, static_cast<double>(study_->width) / study_->height);
+    auto scene = staged(*scene_, renderer::geometry::bounding_sphere(model_.mesh),
+                        static_cast<double>(study_->width) / study_->height);
     scene.material = material_;
     return scene;
 }
 
 renderer::Scene SceneRenderer::lit_by(const protocols::Variant& variant) const {
     auto scene = seen();
-    scene.lights.clear();
-    for (const auto& light : variant.lights)
-        scene.lights.push_back(light_of(light, scene.camera));
+    scene.lights = lights_of(variant, scene.camera);
     return scene;
 }
 
