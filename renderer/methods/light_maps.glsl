@@ -12,7 +12,7 @@ struct Seen {
 };
 
 // A point of a surface lies up to a texel times its slope behind the depth stored for its texel:
-// that much is the bias, for slopes of up to 4.
+// that much is the bias, for slopes of up to 4.  Depths themselves are right to some roundings.
 Seen seen_by(int i, vec3 N, vec3 place) {
     int face = facing(i, place);
     vec4 clip = clip_from_world(i, face, place);
@@ -22,7 +22,7 @@ Seen seen_by(int i, vec3 N, vec3 place) {
     float cosine = abs(dot(N, toward_light(i, place)));
     float tangent = sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 1e-6);
     return Seen(clip.xy / max(clip.w, 1e-30) * 0.5 + 0.5, face * LAYERS, depth,
-                texel * min(tangent, 4.0));
+                texel * min(tangent, 4.0) + 3e-7 * view[i].extent.x);
 }
 
 // Signed depth (light_pass.frag) of the surface that the texel sees, 0 where there is none.

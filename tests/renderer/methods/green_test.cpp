@@ -228,12 +228,16 @@ TEST_F(GreenAtARim, JumpsByTheDepthStep) {
     for (int column = 14; column < size - 14; ++column) {
         const auto i = static_cast<std::size_t>(column);
         const double x = x_of(column), rim = width / 2 * mm;
+        // Toward the wide plate's edges its normals bend outward, by up to 55 degrees, and the bias
+        // takes a texel times that slope.
         if (std::abs(std::abs(x) - rim) > texel) {
-            EXPECT_NEAR(s[i], (std::abs(x) < rim ? 2 * t + gap : t) * mm, 1e-4) << x;
+            const double way = (std::abs(x) < rim ? 2 * t + gap : t) * mm;
+            EXPECT_LE(s[i], way + 1e-4) << x;
+            EXPECT_GE(s[i], way - 1.5 * texel) << x;
         }
         largest_jump = std::max(largest_jump, std::abs(s[i + 1] - s[i]));
     }
-    EXPECT_NEAR(largest_jump, (t + gap) * mm, 2e-4);
+    EXPECT_NEAR(largest_jump, (t + gap) * mm, 1.5 * texel);
 }
 
 // Blurred, the step becomes the Gaussian's integral across the rim.
@@ -283,6 +287,7 @@ TEST_F(Green, BlursByTheDiffusionLengthButNoMoreThanATwentieth) {
     const auto method = prepare(sphere, GreenSettings{.map = BlurredMap{}});
     EXPECT_EQ(method->decision(), "");
     auto scene = scene_of(sphere, {0, 0, -1});
+    scene.material.medium.sigma_a = {0.1, 0.2, 0.3};
     ASSERT_TRUE(method->update(scene));
     const auto sigma_tr = effective_transport(scene.material.medium);
     EXPECT_EQ(method->decision(),
@@ -356,15 +361,14 @@ TEST_F(Green, SeesChordsTowardANearLight) {
                     continue;
                 const auto way =
                     std::get<PointLight>(scene.lights.front().place).position - hit->point;
-                const double cosine =
-                    std::max(-glm::dot(glm::normalize(hit->point), glm::normalize(way)), 0.0);
-                if (cosine > 0 && cosine < 0.5)
+                const double cosine = -glm::dot(glm::normalize(hit->point), glm::normalize(way));
+                if (std::abs(cosine) < 0.5)
                     continue; // the slope runs away at the silhouette
                 // A texel of the cube's 1024 is up to 2 * 170 mm / 1024 wide, 0.33 mm, and the
                 // slope at most tan 60: bias and a texel's diagonal, and the mesh.
                 const double tolerance = (1 + 0.71) * 0.33 * std::sqrt(3) + 6e-4 * R;
                 EXPECT_NEAR(thickness_under(scene, hit->point, pixel(image, column, row).g),
-                            2 * R * cosine, tolerance)
+                            2 * R * std::max(cosine, 0.0), tolerance)
                     << column << ' ' << row;
                 ++checked;
             }
@@ -422,7 +426,8 @@ TEST_F(Green, KnowsALightInTheMaterialWhenPeeled) {
         return thickness_under(scene, {0, 0, diameter.value / 2},
                                pixel(image, size / 2, size / 2).g);
     };
-    EXPECT_NEAR(at_centre_under(NearestMap{}), 0, 1e-4);
+    // A facet tilts by 0.02 against its sphere: over half a texel's diagonal, 0.28 mm.
+    EXPECT_NEAR(at_centre_under(NearestMap{}), 0, 0.01);
     EXPECT_NEAR(at_centre_under(PeeledMap{2}), diameter.value / 2, 0.1);
 }
 
