@@ -42,11 +42,12 @@ float look_number(Look look) {
 
 } // namespace
 
-PicturePass::PicturePass(gpu::PixelPass pass) : pass_(std::move(pass)), block_(sizeof(ShowBlock)) {}
+PicturePass::PicturePass(gpu::ScreenPass pass)
+    : pass_(std::move(pass)), block_(sizeof(ShowBlock)) {}
 
 tl::expected<PicturePass, std::string> PicturePass::create() {
     const std::array fragment{gpu::ShaderPart{"show.frag", show_frag}};
-    auto pass = gpu::PixelPass::link(fragment);
+    auto pass = gpu::ScreenPass::link(fragment);
     if (!pass)
         return tl::make_unexpected(pass.error());
     return PicturePass(std::move(*pass));
@@ -67,7 +68,8 @@ void PicturePass::draw(const gpu::Target& left,
     block_.bind_uniform_block(0);
     left.bind_texture(0);
     right.bind_texture(1);
-    pass_.run(place);
+    const gpu::DrawingWithin part(place);
+    pass_.run();
 }
 
 } // namespace experiment::viewer

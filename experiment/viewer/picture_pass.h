@@ -3,7 +3,7 @@
 
 #include "experiment/viewer/viewer_state.h"
 #include "renderer/gpu/buffer.h"
-#include "renderer/gpu/pixel_pass.h"
+#include "renderer/gpu/screen_pass.h"
 #include "renderer/gpu/target.h"
 #include "renderer/units.h"
 
@@ -15,7 +15,7 @@ namespace experiment::viewer {
 
 /// How two pictures are brought together.
 struct Composition {
-    renderer::gpu::PixelRectangle place; ///< of the window; the pictures have its size
+    renderer::gpu::Viewport place; ///< of the window; the pictures have its size
     Look look = Look::Light;
     double right_from =
         1;             ///< where the right picture begins, of the width: 0 all right, 1 all left
@@ -36,9 +36,9 @@ class PicturePass {
               const Composition& composition);
 
   private:
-    explicit PicturePass(renderer::gpu::PixelPass pass);
+    explicit PicturePass(renderer::gpu::ScreenPass pass);
 
-    renderer::gpu::PixelPass pass_;
+    renderer::gpu::ScreenPass pass_;
     renderer::gpu::Buffer block_;
 };
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -28,10 +29,12 @@ bool is_same_place(float a, float b) {
     return std::abs(a - b) <= 8 * std::numeric_limits<float>::epsilon() * std::max(a, b);
 }
 
-/// The direction itself, then three turned by 1e-5 rad a third of a circle apart.
+bool is_unit(glm::dvec3 direction) {
+    return std::abs(glm::dot(direction, direction) - 1) <= 2e-6;
+}
+
+/// Three directions turned by 1e-5 rad, a third of a circle apart.
 glm::dvec3 jittered(glm::dvec3 direction, int attempt) {
-    if (attempt == 0)
-        return direction;
     const glm::dvec3 aside =
         std::abs(direction.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 u = glm::normalize(glm::cross(direction, aside)), v = glm::cross(direction, u);
@@ -57,19 +60,52 @@ std::span<const Segment> InteriorTracer::from_point(glm::dvec3 point, glm::dvec3
     return trace({glm::vec3(scene_->scene_from_model(point)), std::nullopt}, direction);
 }
 
+void InteriorTracer::follow_bundle(std::span<const std::uint32_t> vertices, glm::dvec3 direction) {
+    EXPECTS(is_unit(direction));
+    std::array<glm::vec3, RayScene::bundle_size> origins;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        EXPECTS(vertices[i] < scene_->positions().size());
+        origins[i] = scene_->positions()[vertices[i]];
+    }
+    scene_->all_hits(std::span(origins).first(vertices.size()), glm::vec3(direction),
+                     nearest_crossing, bundle_);
+}
+
+/// The answer for one ray of the bundle that was followed last.
+std::span<const Segment>
+InteriorTracer::from_bundle(std::size_t i, std::uint32_t vertex, glm::dvec3 direction) {
+    ++statistics_.rays;
+    if (bundle_[i].empty())
+        return {}; // as for every second ray
+    doubtful_.clear();
+    hits_.swap(bundle_[i]);
+    const Origin origin{scene_->positions()[vertex], vertex};
+    order_hits(origin);
+    return resolve_hits() ? finished() : trace_again(origin, direction);
+}
+
 std::span<const Segment> InteriorTracer::trace(const Origin& origin, glm::dvec3 direction) {
-    EXPECTS(std::abs(glm::dot(direction, direction) - 1) <= 2e-6);
+    EXPECTS(is_unit(direction));
     ++statistics_.rays;
     doubtful_.clear();
-    int attempt = 0;
+    return resolve(origin, direction) ? finished() : trace_again(origin, direction);
+}
+
+/// The ray itself left a doubt: asks beside it, and in the end for winding numbers.
+std::span<const Segment> InteriorTracer::trace_again(const Origin& origin, glm::dvec3 direction) {
+    ++statistics_.retried;
+    int attempt = 1;
     while (attempt < attempts && !resolve(origin, jittered(direction, attempt)))
         ++attempt;
-    if (attempt > 0)
-        ++statistics_.retried;
     if (attempt == attempts) {
         ++statistics_.fallbacks;
         classify_gaps(origin, direction);
     }
+    return finished();
+}
+
+/// Nearest first, in model units.
+std::span<const Segment> InteriorTracer::finished() {
     std::reverse(segments_.begin(), segments_.end());
     for (auto& [begin, end] : segments_) {
         begin *= scene_->model_per_scene();
@@ -81,6 +117,10 @@ std::span<const Segment> InteriorTracer::trace(const Origin& origin, glm::dvec3 
 /// Fills `segments_`, in scene units and farthest first; false when the answer is in doubt.
 bool InteriorTracer::resolve(const Origin& origin, glm::dvec3 direction) {
     collect(origin, direction);
+    return resolve_hits();
+}
+
+bool InteriorTracer::resolve_hits() {
     if (!merge()) {
         doubtful_.clear();
         return false;
@@ -99,10 +139,15 @@ bool InteriorTracer::is_confirmed() {
     return agrees;
 }
 
-/// Crossings of the ray, farthest first; of equally far ones those that leave come first, so that
-/// the count never dips below zero for an order that only rounding made.
 void InteriorTracer::collect(const Origin& origin, glm::dvec3 direction) {
     scene_->all_hits(origin.position, glm::vec3(direction), nearest_crossing, hits_);
+    order_hits(origin);
+}
+
+/// Drops the triangles that meet in the ray's own vertex and sorts the others, farthest first; of
+/// equally far ones those that leave come first, so that the count never dips below zero for an
+/// order that only rounding made.
+void InteriorTracer::order_hits(const Origin& origin) {
     if (origin.vertex)
         std::erase_if(hits_, [&](const Hit& hit) {
             const auto& [a, b, c] = scene_->triangles()[hit.triangle];

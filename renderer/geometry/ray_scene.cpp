@@ -28,29 +28,44 @@ using QueryContext = RTCRayQueryContext;
 
 /// What the filter is handed with every hit: where to put it.
 struct Collector {
-    QueryContext context; // first, so that a pointer to it is a pointer to the collector
-    std::vector<Hit>* hits;
+    QueryContext context;   // first, so that a pointer to it is a pointer to the collector
+    std::vector<Hit>* hits; // one list for each ray, by its id
     const Triangle* triangles;
 };
 
-/// Notes the hit and refuses it, so that the ray goes on.
+/// Notes the hits and refuses them, so that the rays go on.
 void collect(const RTCFilterFunctionNArguments* arguments) {
     const auto* collector = reinterpret_cast<const Collector*>(arguments->context);
-    const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray); // scalar queries: N is 1
-    const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
-    const float along = hit->Ng_x * ray->dir_x + hit->Ng_y * ray->dir_y + hit->Ng_z * ray->dir_z;
-    collector->hits->push_back({ray->tfar, hit->primID, along > 0});
-    arguments->valid[0] = 0;
-    // Whoever asked will look at the corners, and by then they are in the cache: 4 % of the
-    // tracing.
-    __builtin_prefetch(&collector->triangles[hit->primID]);
+    const unsigned n = arguments->N; // how many rays Embree has at hand
+    for (unsigned i = 0; i < n; ++i) {
+        if (arguments->valid[i] == 0)
+            continue;
+        arguments->valid[i] = 0;
+        RTCRayN* ray = arguments->ray;
+        RTCHitN* hit = arguments->hit;
+        const float along = RTCHitN_Ng_x(hit, n, i) * RTCRayN_dir_x(ray, n, i) +
+                            RTCHitN_Ng_y(hit, n, i) * RTCRayN_dir_y(ray, n, i) +
+                            RTCHitN_Ng_z(hit, n, i) * RTCRayN_dir_z(ray, n, i);
+        const unsigned triangle = RTCHitN_primID(hit, n, i);
+        collector->hits[RTCRayN_id(ray, n, i)].push_back(
+            {RTCRayN_tfar(ray, n, i), triangle, along > 0});
+        // Whoever asked will look at the corners, and by then they are in the cache: 4 % of the
+        // tracing.
+        __builtin_prefetch(&collector->triangles[triangle]);
+    }
 }
 
-void occluded(RTCScene scene, Collector& collector, RTCRay& ray) {
+/// All of the rays at once in Embree 3, whose streams visit a node of the tree once for all that
+/// meet it.  Embree 4 has no streams.
+void follow(RTCScene scene, Collector& collector, std::span<RTCRay> rays) {
 #if RTC_VERSION_MAJOR < 4
     rtcInitIntersectContext(&collector.context);
     collector.context.filter = collect;
-    rtcOccluded1(scene, &collector.context, &ray);
+    if (rays.size() == 1)
+        rtcOccluded1(scene, &collector.context, rays.data());
+    else
+        rtcOccluded1M(scene, &collector.context, rays.data(), static_cast<unsigned>(rays.size()),
+                      sizeof(RTCRay));
 #else
     rtcInitRayQueryContext(&collector.context);
     RTCOccludedArguments arguments;
@@ -58,7 +73,8 @@ void occluded(RTCScene scene, Collector& collector, RTCRay& ray) {
     arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
     arguments.context = &collector.context;
     arguments.filter = collect;
-    rtcOccluded1(scene, &ray, &arguments);
+    for (auto& ray : rays)
+        rtcOccluded1(scene, &ray, &arguments);
 #endif
 }
 
@@ -73,7 +89,7 @@ void occluded_without_filter(RTCScene scene, RTCRay& ray) {
 #endif
 }
 
-RTCRay endless_ray(glm::vec3 origin, glm::vec3 direction, float nearest) {
+RTCRay endless_ray(glm::vec3 origin, glm::vec3 direction, float nearest, std::size_t id = 0) {
     RTCRay ray{};
     ray.org_x = origin.x;
     ray.org_y = origin.y;
@@ -84,6 +100,7 @@ RTCRay endless_ray(glm::vec3 origin, glm::vec3 direction, float nearest) {
     ray.tnear = nearest;
     ray.tfar = std::numeric_limits<float>::infinity();
     ray.mask = ~0u;
+    ray.id = static_cast<unsigned>(id);
     return ray;
 }
 
@@ -190,7 +207,21 @@ void RayScene::all_hits(glm::vec3 origin,
     hits.clear();
     RTCRay ray = endless_ray(origin, direction, nearest);
     Collector collector{{}, &hits, triangles_.data()};
-    occluded(handles_->scene, collector, ray);
+    follow(handles_->scene, collector, std::span(&ray, 1));
+}
+
+void RayScene::all_hits(std::span<const glm::vec3> origins,
+                        glm::vec3 direction,
+                        float nearest,
+                        BundleHits& hits) const {
+    EXPECTS(origins.size() <= bundle_size);
+    std::array<RTCRay, bundle_size> rays;
+    for (std::size_t i = 0; i < origins.size(); ++i) {
+        hits[i].clear();
+        rays[i] = endless_ray(origins[i], direction, nearest, i);
+    }
+    Collector collector{{}, hits.data(), triangles_.data()};
+    follow(handles_->scene, collector, std::span(rays).first(origins.size()));
 }
 
 bool RayScene::is_occluded(glm::vec3 origin, glm::vec3 direction, float nearest) const {

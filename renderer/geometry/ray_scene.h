@@ -5,6 +5,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -45,11 +47,22 @@ class RayScene {
     RayScene(RayScene&&) noexcept;
     RayScene& operator=(RayScene&&) noexcept;
 
+    static constexpr std::size_t bundle_size = 64; ///< rays that are followed at once
+    using BundleHits = std::array<std::vector<Hit>, bundle_size>;
+
     /// Every triangle the ray meets farther than `nearest` from its origin, in no order.  A ray
     /// through an edge may meet both neighbours, never neither.  Replaces what `hits` held.
     /// Units: `origin` in scene coordinates, `direction` unit length.
     void
     all_hits(glm::vec3 origin, glm::vec3 direction, float nearest, std::vector<Hit>& hits) const;
+
+    /// The same for several rays in one direction, hits[i] for origins[i]: neighbours share their
+    /// way through the tree, and so many take two thirds of the time of single rays.
+    /// Errors: EXPECTS at most `bundle_size` origins.
+    void all_hits(std::span<const glm::vec3> origins,
+                  glm::vec3 direction,
+                  float nearest,
+                  BundleHits& hits) const;
 
     /// Whether the ray meets anything farther than `nearest` from its origin.
     /// Units: `origin` in scene coordinates, `direction` unit length.

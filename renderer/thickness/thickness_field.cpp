@@ -8,6 +8,7 @@
 #include "renderer/harmonics/directions.h"
 #include "renderer/harmonics/projection.h"
 #include "renderer/thickness/percentile.h"
+#include "renderer/thickness/surface_shares.h"
 #include "renderer/thickness/traceable.h"
 
 #include <fmt/format.h>
@@ -57,23 +58,6 @@ double length_of(Kind kind, std::span<const Segment> segments) {
     return 0;
 }
 
-/// Each vertex's share of the surface, a third of the triangles around it, in units of 2^-40 of the
-/// whole: integers, which add up the same in every order.
-std::vector<std::uint64_t> area_shares(const Mesh& mesh) {
-    std::vector<double> areas(mesh.positions.size());
-    for (const auto& [a, b, c] : mesh.triangles) {
-        const auto& p = mesh.positions[a];
-        const double area = glm::length(glm::cross(mesh.positions[b] - p, mesh.positions[c] - p));
-        for (const auto corner : {a, b, c})
-            areas[corner] += area;
-    }
-    const double total = std::accumulate(areas.begin(), areas.end(), 0.0);
-    std::vector<std::uint64_t> shares;
-    for (const double area : areas)
-        shares.push_back(static_cast<std::uint64_t>(std::llround(area / total * 0x1p40)));
-    return shares;
-}
-
 /// Work on the vertices of one block at a time, on all threads.  `work(block)` gets positions in
 /// `order`; blocks share nothing, so their sequence does not matter.
 template <class Work>
@@ -86,29 +70,38 @@ void for_each_block(std::span<const std::uint32_t> order, Work work) {
     });
 }
 
-/// Rays that found no consistent answer, on all threads.  Too many fail the whole computation: then
-/// there is no sense in going on, for each costs a sum over all triangles.
-class Unresolved {
+/// Whether all threads should go on: nobody asked to stop, and not too many rays found no
+/// consistent answer.  Too many fail the whole computation: then there is no sense in going on, for
+/// each costs a sum over all triangles.
+class Proceedings {
   public:
-    explicit Unresolved(double rays) : rays_(rays) {}
+    Proceedings(double rays, std::stop_token stop) : rays_(rays), stop_(std::move(stop)) {}
 
-    void report(std::uint64_t more) { count_ += more; }
+    void report_unresolved(std::uint64_t more) { unresolved_ += more; }
 
-    bool are_too_many() const {
-        return static_cast<double>(count_.load()) > most_unresolved * rays_;
-    }
+    bool go_on() const { return !stop_.stop_requested() && !are_too_many(); }
 
-    std::string message() const {
-        return fmt::format(
-            "more than {:.0f} of {:.0f} rays could not be resolved: their crossings do not add up "
-            "to inside and outside; expected at most 1 in 10,000 on a closed mesh (is there a "
-            "sheet without thickness?)",
-            std::floor(most_unresolved * rays_), rays_);
+    /// Why they did not.
+    Expected<void> outcome() const {
+        if (stop_.stop_requested())
+            return tl::unexpected<std::string>("cancelled before all rays were traced");
+        if (are_too_many())
+            return tl::unexpected(fmt::format(
+                "more than {:.0f} of {:.0f} rays could not be resolved: their crossings do not add "
+                "up to inside and outside; expected at most 1 in 10,000 on a closed mesh (is there "
+                "a sheet without thickness?)",
+                std::floor(most_unresolved * rays_), rays_));
+        return {};
     }
 
   private:
+    bool are_too_many() const {
+        return static_cast<double>(unresolved_.load()) > most_unresolved * rays_;
+    }
+
     double rays_;
-    std::atomic<std::uint64_t> count_{0};
+    std::stop_token stop_;
+    std::atomic<std::uint64_t> unresolved_{0};
 };
 
 /// What all threads fill together; everything in it adds up the same in every order.
@@ -123,13 +116,14 @@ void trace_block(InteriorTracer& tracer,
                  Kind kind,
                  std::span<const std::uint32_t> block,
                  glm::dvec3 direction,
-                 Unresolved& unresolved,
+                 Proceedings& proceedings,
                  Take take) {
     const auto before = tracer.statistics().fallbacks;
-    for (std::size_t i = 0; i < block.size(); ++i)
-        take(i, length_of(kind, tracer.from_vertex(block[i], direction)));
+    tracer.from_vertices(block, direction, [&](std::size_t i, std::span<const Segment> segments) {
+        take(i, length_of(kind, segments));
+    });
     if (const auto more = tracer.statistics().fallbacks - before; more > 0)
-        unresolved.report(more);
+        proceedings.report_unresolved(more);
 }
 
 /// The same rule with neighbouring directions one after the other: what the last direction brought
@@ -162,7 +156,7 @@ void accumulate(std::span<const double> values,
         for (std::size_t j = 0; j < directions; ++j) {
             const double value = values[v * directions + j];
             if (value == 0)
-                continue; // half of all: the light stands on this side
+                continue;
             const double* row = &rows[j * n];
             for (std::size_t i = 0; i < n; ++i)
                 c[i] += value * row[i];
@@ -170,34 +164,41 @@ void accumulate(std::span<const double> values,
     }
 }
 
+/// What every block needs to know.
+struct Task {
+    const RayScene& scene;
+    Kind kind;
+    Projection projection;
+    std::vector<std::uint64_t> shares; ///< of the vertices
+};
+
 /// Traces one block toward all directions and writes the coefficients and energies of its vertices.
-void project_block(const RayScene& scene,
-                   Kind kind,
-                   const Projection& projection,
+void project_block(const Task& task,
                    std::span<const std::uint32_t> block,
-                   std::span<const std::uint64_t> shares,
-                   Unresolved& unresolved,
+                   Proceedings& proceedings,
                    Totals& totals,
                    ThicknessField& field) {
     const auto n = static_cast<std::size_t>(harmonics::coefficient_count(field.bands));
-    InteriorTracer tracer(scene);
+    InteriorTracer tracer(task.scene);
     LengthHistogram& lengths = totals.lengths.local();
     std::vector<double> coefficients(block.size() * n), values;
-    const auto& [directions, weights] = projection.set;
+    const auto& [directions, weights] = task.projection.set;
     for (std::size_t first = 0; first < directions.size(); first += directions_per_chunk) {
         const std::size_t count = std::min(directions_per_chunk, directions.size() - first);
         values.assign(block.size() * count, 0);
-        for (std::size_t j = 0; j < count && !unresolved.are_too_many(); ++j) {
+        for (std::size_t j = 0; j < count && proceedings.go_on(); ++j) {
             const double weight = weights[first + j];
             const auto take = [&](std::size_t i, double d) {
+                if (d == 0)
+                    return; // half of all: the light stands on this side
                 const auto v = block[i];
                 values[i * count + j] = d;
                 field.energy[v] += weight * d * d;
-                lengths.add(static_cast<float>(d / scene.model_per_scene()), shares[v]);
+                lengths.add(static_cast<float>(d / task.scene.model_per_scene()), task.shares[v]);
             };
-            trace_block(tracer, kind, block, directions[first + j], unresolved, take);
+            trace_block(tracer, task.kind, block, directions[first + j], proceedings, take);
         }
-        accumulate(values, count, std::span(projection.rows).subspan(first * n, count * n),
+        accumulate(values, count, std::span(task.projection.rows).subspan(first * n, count * n),
                    coefficients);
     }
     for (std::size_t i = 0; i < block.size(); ++i)
@@ -206,11 +207,53 @@ void project_block(const RayScene& scene,
     totals.statistics.local() += tracer.statistics();
 }
 
+Projection projection_of(const FieldOptions& options) {
+    const auto set =
+        in_morton_order(harmonics::fibonacci_directions(options.directions, options.rotation_seed));
+    return {set, harmonics::projection_rows(options.bands, set)};
+}
+
+/// Coefficients, energies and what adds up over all rays.
+Expected<void> trace_field(const Task& task,
+                           const Progress& progress,
+                           const std::stop_token& stop,
+                           ThicknessField& field) {
+    const std::size_t vertices = task.scene.positions().size();
+    Proceedings proceedings(static_cast<double>(vertices) *
+                                static_cast<double>(task.projection.set.directions.size()),
+                            stop);
+    Totals totals;
+    std::mutex progress_mutex;
+    std::size_t finished = 0;
+    for_each_block(geometry::morton_order(task.scene.positions()),
+                   [&](std::span<const std::uint32_t> block) {
+                       if (!proceedings.go_on())
+                           return;
+                       project_block(task, block, proceedings, totals, field);
+                       const std::lock_guard lock(progress_mutex);
+                       finished += block.size();
+                       if (progress && proceedings.go_on())
+                           progress(static_cast<double>(finished) / static_cast<double>(vertices));
+                   });
+    if (auto outcome = proceedings.outcome(); !outcome)
+        return outcome;
+
+    LengthHistogram lengths;
+    totals.lengths.combine_each([&](const LengthHistogram& part) { lengths += part; });
+    totals.statistics.combine_each([&](const RayStatistics& part) { field.statistics += part; });
+    for (const double fraction : {0.5, 0.9, 0.95, 0.99, 0.995, 0.999})
+        field.percentiles.push_back(
+            {fraction, lengths.percentile(fraction) * task.scene.model_per_scene()});
+    field.d_n = lengths.percentile(0.995) * task.scene.model_per_scene();
+    return {};
+}
+
 } // namespace
 
 Expected<ThicknessField> compute_thickness_field(const geometry::Mesh& mesh,
                                                  const FieldOptions& options,
-                                                 const Progress& progress) {
+                                                 const Progress& progress,
+                                                 const std::stop_token& stop) {
     EXPECTS(options.bands >= 1 && options.bands <= 6);
     const int n = harmonics::coefficient_count(options.bands);
     if (options.directions < 2 * n)
@@ -223,36 +266,16 @@ Expected<ThicknessField> compute_thickness_field(const geometry::Mesh& mesh,
     const RayScene scene(mesh);
     if (auto outward = check_components_face_outward(scene); !outward)
         return tl::unexpected(outward.error());
-    const auto set =
-        in_morton_order(harmonics::fibonacci_directions(options.directions, options.rotation_seed));
-    const Projection projection{set, harmonics::projection_rows(options.bands, set)};
-    const auto shares = area_shares(mesh);
-    const std::size_t vertices = mesh.positions.size();
-
     ThicknessField field;
     field.bands = options.bands;
-    field.coefficients.resize(vertices * static_cast<std::size_t>(n));
-    field.energy.resize(vertices);
-    Unresolved unresolved(static_cast<double>(vertices) * options.directions);
-    Totals totals;
-    std::mutex progress_mutex;
-    std::size_t finished = 0;
-    for_each_block(geometry::morton_order(scene.positions()),
-                   [&](std::span<const std::uint32_t> block) {
-                       project_block(scene, options.kind, projection, block, shares, unresolved,
-                                     totals, field);
-                       const std::lock_guard lock(progress_mutex);
-                       finished += block.size();
-                       if (progress)
-                           progress(static_cast<double>(finished) / static_cast<double>(vertices));
-                   });
-    if (unresolved.are_too_many())
-        return tl::unexpected(unresolved.message());
-
-    LengthHistogram lengths;
-    totals.lengths.combine_each([&](const LengthHistogram& part) { lengths += part; });
-    totals.statistics.combine_each([&](const RayStatistics& part) { field.statistics += part; });
-    field.d_n = lengths.percentile(0.995) * scene.model_per_scene();
+    field.options = options;
+    field.bounds = geometry::bounding_sphere(mesh);
+    field.coefficients.resize(mesh.positions.size() * static_cast<std::size_t>(n));
+    field.energy.resize(mesh.positions.size());
+    const Task task{scene, options.kind, projection_of(options), surface_shares(mesh)};
+    if (auto traced = trace_field(task, progress, stop, field); !traced)
+        return tl::unexpected(traced.error());
+    field.normal_bins = bin_by_normal(mesh, field.coefficients, field.bands);
     return field;
 }
 
@@ -276,17 +299,17 @@ trace_thickness(const geometry::Mesh& mesh, Kind kind, std::span<const glm::dvec
     if (auto outward = check_components_face_outward(scene); !outward)
         return tl::unexpected(outward.error());
     std::vector<double> result(mesh.positions.size() * directions.size());
-    Unresolved unresolved(static_cast<double>(result.size()));
+    Proceedings proceedings(static_cast<double>(result.size()), {});
     for_each_block(
         geometry::morton_order(scene.positions()), [&](std::span<const std::uint32_t> block) {
             InteriorTracer tracer(scene);
-            for (std::size_t k = 0; k < directions.size() && !unresolved.are_too_many(); ++k)
-                trace_block(tracer, kind, block, directions[k], unresolved, [&](auto i, double d) {
+            for (std::size_t k = 0; k < directions.size() && proceedings.go_on(); ++k)
+                trace_block(tracer, kind, block, directions[k], proceedings, [&](auto i, double d) {
                     result[block[i] * directions.size() + k] = d;
                 });
         });
-    if (unresolved.are_too_many())
-        return tl::unexpected(unresolved.message());
+    if (auto outcome = proceedings.outcome(); !outcome)
+        return tl::unexpected(outcome.error());
     return result;
 }
 

@@ -5,11 +5,13 @@
 #include "renderer/expected.h"
 #include "renderer/geometry/crossings.h"
 #include "renderer/geometry/mesh.h"
+#include "renderer/thickness/normal_bins.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace renderer::thickness {
@@ -26,6 +28,23 @@ struct FieldOptions {
     int bands = 5;         ///< 1..6
     int directions = 1024; ///< Fibonacci directions shared by all vertices
     std::uint64_t rotation_seed = 1;
+
+    bool operator==(const FieldOptions&) const = default;
+};
+
+/// Whether a field of the options `there` has all that `wanted` asks for: the same in everything but
+/// the bands, of which it may have more.
+constexpr bool serves(const FieldOptions& there, const FieldOptions& wanted) {
+    return there.kind == wanted.kind && there.directions == wanted.directions &&
+           there.rotation_seed == wanted.rotation_seed && there.bands >= wanted.bands;
+}
+
+/// The length below which `fraction` of the positive thickness lies, area and solid angle weighted.
+struct Percentile {
+    double fraction = 0; ///< 0..1
+    double length = 0;   ///< model units
+
+    bool operator==(const Percentile&) const = default;
 };
 
 /// Coefficients of all vertices of one mesh.  Lengths in model units.
@@ -35,6 +54,10 @@ struct ThicknessField {
     std::vector<double> energy;      ///< per vertex: integral of d^2 over the sphere
     double d_n = 0; ///< 99.5th percentile of the positive thickness, area and solid angle weighted
     geometry::RayStatistics statistics{};
+    FieldOptions options{}; ///< what was asked for
+    std::vector<Percentile> percentiles;
+    geometry::BoundingSphere bounds{}; ///< no chord is longer than its diameter
+    NormalBins normal_bins;            ///< what the choice of bands needs (band_choice.h)
 };
 
 /// Called as blocks of vertices are finished, by one thread at a time, with growing fractions up
@@ -43,11 +66,14 @@ using Progress = std::function<void(double fraction)>;
 
 /// Traces and projects the thickness at every vertex of a prepared (welded, oriented) mesh.
 /// Deterministic: the result does not depend on the number of threads.
+/// Memory beside the result does not grow with the directions.
 /// Errors: a mesh that is not closed and consistently oriented; fewer directions than twice the
-/// coefficients; more than 1e-4 of the rays unresolved.  EXPECTS bands 1..6, indices in range.
+/// coefficients; more than 1e-4 of the rays unresolved; "cancelled ..." soon after a stop was
+/// requested (progress may request it).  EXPECTS bands 1..6, indices in range.
 Expected<ThicknessField> compute_thickness_field(const geometry::Mesh& mesh,
                                                  const FieldOptions& options,
-                                                 const Progress& progress = {});
+                                                 const Progress& progress = {},
+                                                 const std::stop_token& stop = {});
 
 /// Eq. 2: thickness of vertex `v` toward the light from the first `bands` bands, unclamped.
 /// `basis` holds y(L) of at least bands^2 elements.

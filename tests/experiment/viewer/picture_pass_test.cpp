@@ -47,10 +47,10 @@ class PicturePassTest : public testing::Test {
         std::string text = ramp;
         text.replace(text.find("PAINT"), 5, what);
         const std::array fragment{gpu::ShaderPart{"ramp", text}};
-        const auto pass = gpu::PixelPass::link(fragment);
+        const auto pass = gpu::ScreenPass::link(fragment);
         ASSERT_TRUE(pass) << pass.error();
         const auto drawing = target.draw_into();
-        pass->run({0, 0, width, height});
+        pass->run();
     }
 
     gpu::Picture8 shown(Composition composition) {

@@ -90,6 +90,22 @@ TEST(Basis, SquaresOfFiveBandsAddUpToTwentyFiveOverTheSphere) {
     }
 }
 
+// What reaches the graphics card: values rounded to float, 441 of them.
+TEST(Basis, OfTwentyOneBandsInFloatObeysTheAdditionTheorem) {
+    const int bands = 21;
+    const auto directions = fibonacci_directions(12, 5).directions;
+    for (const auto& a : directions)
+        for (const auto& b : directions) {
+            const auto at_a = basis_at(bands, a), at_b = basis_at(bands, b);
+            float sum = 0;
+            for (std::size_t i = 400; i < 441; ++i) // band 20
+                sum += static_cast<float>(at_a[i]) * static_cast<float>(at_b[i]);
+            const double scale = 41 / (4 * std::numbers::pi);
+            EXPECT_NEAR(sum / scale, std::legendre(20, std::clamp(glm::dot(a, b), -1.0, 1.0)),
+                        1e-5);
+        }
+}
+
 TEST(Basis, OrdersVanishExactlyAtThePoles) {
     for (const double z : {1.0, -1.0})
         for (const double zero : {0.0, -0.0}) {

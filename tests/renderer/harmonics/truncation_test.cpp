@@ -80,6 +80,13 @@ rms(const std::vector<double>& values, const Function& f, double from = -1.0, do
     return std::sqrt(sum / count);
 }
 
+double largest_error(const std::vector<double>& values, const Function& f) {
+    double largest = 0.0;
+    for (int i = 0; i < steps; ++i)
+        largest = std::max(largest, std::abs(values[static_cast<std::size_t>(i)] - f(position(i))));
+    return largest;
+}
+
 std::vector<double> clamped(std::vector<double> values) {
     for (auto& value : values)
         value = std::max(value, 0.0);
@@ -93,10 +100,12 @@ double sphere(double x) {
 TEST(Truncation, WindowsCostASphereThreeTimesTheError) {
     const auto with_lanczos = reconstructed(sphere, 5, lanczos);
     EXPECT_NEAR(rms(with_lanczos, sphere), 0.09799, 1e-5);
+    EXPECT_NEAR(largest_error(with_lanczos, sphere), 0.2471, 1e-4);
     EXPECT_NEAR(std::ranges::min(with_lanczos), -0.0261, 1e-4);
     EXPECT_NEAR(with_lanczos.front(), 1.8647, 3e-4); // half a step from the pole, slope 1.5
     const auto with_hann = reconstructed(sphere, 5, hann);
     EXPECT_NEAR(rms(with_hann, sphere), 0.12986, 1e-5);
+    EXPECT_NEAR(largest_error(with_hann, sphere), 0.2888, 1e-4);
     EXPECT_NEAR(std::ranges::min(with_hann), -0.0316, 1e-4);
     EXPECT_NEAR(with_hann.front(), 1.7957, 3e-4);
 }

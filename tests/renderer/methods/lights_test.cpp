@@ -160,8 +160,8 @@ TEST_F(Lights, InsideTheBodyCapTheThicknessAtTheirDistance) {
     scene.lights = {{PointLight{{0, 0, 40}, Millimetres{10}}, {1, 1, 1}}};
     keep_scatter_only(scene);
     field.d_n = 0.4; // 20 mm
-    const auto image =
-        picture(sphere_, ShssSettings{.bands = 1, .law = Law::Paper}, scene, 65, 1, &field);
+    const auto image = picture(sphere_, ShssSettings{.bands = {.bands = 1}, .law = Law::Paper},
+                               scene, 65, 1, &field);
     // 10 mm under the surface, where the intensity is what it says; the sphere's mesh lies up to
     // 0.1 mm inside the sphere.
     EXPECT_NEAR(rgb(pixel(image, 32, 32)).g, 0.5, 0.01);

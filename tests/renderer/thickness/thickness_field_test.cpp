@@ -245,6 +245,8 @@ TEST(ThicknessField, DoesNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(alone.coefficients, shared.coefficients);
     EXPECT_EQ(alone.energy, shared.energy);
     EXPECT_EQ(alone.d_n, shared.d_n);
+    EXPECT_EQ(alone.percentiles, shared.percentiles);
+    EXPECT_EQ(alone.normal_bins, shared.normal_bins);
     EXPECT_EQ(alone.statistics.retried, shared.statistics.retried);
 }
 
@@ -348,6 +350,34 @@ TEST(ThicknessField, ReportsItsProgress) {
     EXPECT_EQ(fractions.size(), 6u);
     EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
     EXPECT_EQ(fractions.back(), 1);
+}
+
+// Stopped from the progress of the first block: the other five are never heard of.
+TEST(ThicknessField, StopsWhenAskedTo) {
+    std::stop_source stop;
+    int reports = 0;
+    const auto field = compute_thickness_field(
+        sphere(1, 4), {.bands = 1, .directions = 64},
+        [&](double) {
+            ++reports;
+            stop.request_stop();
+        },
+        stop.get_token());
+    ASSERT_FALSE(field);
+    EXPECT_EQ(field.error(), "cancelled before all rays were traced");
+    EXPECT_EQ(reports, 1);
+}
+
+// Of a sphere lengths are uniform between 0 and 2, and percentiles their fractions.  Of the mesh
+// the shortest are missing: rays within half an edge (h = 0.08) of the tangent plane pass above it,
+// so that lengths begin at 2 * 0.04.
+TEST(ThicknessField, KeepsItsPercentilesAndItsBounds) {
+    const auto field = field_of(sphere(1, 4), {});
+    ASSERT_EQ(field.percentiles.size(), 6u);
+    for (const auto& [fraction, length] : field.percentiles)
+        EXPECT_NEAR(length, 2 * (0.04 + 0.96 * fraction), 0.004) << fraction; // facets, bins
+    EXPECT_NEAR(field.bounds.radius, 1, 1e-12);
+    EXPECT_EQ(field.options, FieldOptions{});
 }
 
 TEST(ThicknessFieldDeathTest, RefusesBandsOutOfRange) {
