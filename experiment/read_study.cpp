@@ -1,7 +1,9 @@
 // The one place where a study file meets the renderer's names.
 #include "experiment/read_study.h"
 
+#include "experiment/reference_dials.h"
 #include "experiment/text_files.h"
+#include "protocols/calibration.h"
 #include "protocols/digest.h"
 #include "renderer/materials.h"
 #include "renderer/methods/catalogue.h"
@@ -24,19 +26,43 @@ fs::path model_cache() {
     return fs::path(home != nullptr ? home : "/") / ".cache" / "pairlight" / "models";
 }
 
+// A measured curve, and the surround by it.
+tl::expected<void, std::string> read_calibration(const StudyFolder& folder,
+                                                 protocols::Study& study) {
+    auto& eotf = study.display.eotf;
+    if (eotf.kind != protocols::Eotf::Kind::Measured)
+        return {};
+    const auto file = folder.root / eotf.file;
+    const auto text = read_text_file(file);
+    if (!text)
+        return tl::unexpected(text.error() + "; `pairlight photometer` makes it");
+    auto steps = protocols::parse_photometer(*text, file.string());
+    if (!steps)
+        return tl::unexpected(steps.error());
+    eotf.steps = std::move(*steps);
+    study.surround = protocols::surround_of(study.surround.definition, eotf).value();
+    return {};
+}
+
 } // namespace
 
 protocols::KnownNames known_names() {
-    std::vector<std::string> names;
-    for (const auto& method : renderer::methods::catalogue())
-        names.push_back(method.name);
-    const auto complete = [](const std::string& method, const protocols::Dials& given) {
-        return renderer::methods::complete_for(method, given)
-            .map_error([](const renderer::methods::DialProblem& problem) {
-                return protocols::DialProblem{problem.dial, problem.what};
-            });
+    protocols::KnownNames known{.materials = renderer::measured_names()};
+    for (const auto& method : renderer::methods::catalogue()) {
+        known.methods.push_back(method.name);
+        if (!method.caveat.empty())
+            known.caveats[method.name] = method.caveat;
+    }
+    known.methods.emplace_back(reference_method);
+    known.complete = [](const std::string& method, const protocols::Dials& given) {
+        const auto completed = method == reference_method
+                                   ? renderer::methods::complete(reference_dials(), given)
+                                   : renderer::methods::complete_for(method, given);
+        return completed.map_error([](const renderer::methods::DialProblem& problem) {
+            return protocols::DialProblem{problem.dial, problem.what};
+        });
     };
-    return {.methods = names, .materials = renderer::measured_names(), .complete = complete};
+    return known;
 }
 
 tl::expected<LoadedStudy, std::string> read_study(const fs::path& path) {
@@ -50,6 +76,8 @@ tl::expected<LoadedStudy, std::string> read_study(const fs::path& path) {
     auto study = protocols::parse_study(*text, folder.study_file().string(), known_names());
     if (!study)
         return tl::unexpected(study.error());
+    if (auto measured = read_calibration(folder, *study); !measured)
+        return tl::unexpected(measured.error());
     return LoadedStudy{folder, std::move(*study), protocols::sha256_hexadecimal(*text)};
 }
 

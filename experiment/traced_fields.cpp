@@ -3,40 +3,62 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <chrono>
+#include <filesystem>
 #include <utility>
 
 namespace experiment {
 
 namespace thickness = renderer::thickness;
-using Clock = std::chrono::steady_clock;
+using thickness::FieldOrigin;
+
+namespace {
+
+/// The model outlives whoever borrows its mesh.
+std::shared_ptr<const renderer::geometry::Mesh> borrowed(const LoadedModel& model) {
+    return {std::shared_ptr<const void>(), &model.mesh};
+}
+
+/// Bodies have no file and are quickly traced again.
+std::filesystem::path cache_folder(const LoadedModel& model) {
+    return model.file.empty() ? std::filesystem::path() : model.file.parent_path() / "thickness";
+}
+
+} // namespace
+
+TracedFields::TracedFields(LoadedModel& model, thickness::Progress progress)
+    : model_(model), progress_(std::move(progress)), source_(borrowed(model), cache_folder(model)) {
+}
 
 tl::expected<TracedFields::Field, std::string>
 TracedFields::field(const thickness::FieldOptions& asked) {
-    auto options = asked;
-    options.bands = std::max(options.bands, thickness::FieldOptions{}.bands);
-    auto& traced = fields_[{options.kind, options.directions, options.bands}];
-    if (traced.field == nullptr) {
-        const auto start = Clock::now();
-        auto field = thickness::compute_thickness_field(model_.mesh, options, progress_);
-        if (!field)
-            return tl::unexpected(field.error());
-        remark(field->statistics);
-        traced.field = std::make_shared<const thickness::ThicknessField>(std::move(*field));
-        traced.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        seconds_spent_ += traced.seconds;
+    auto sourced = source_.field(asked, progress_);
+    if (!sourced)
+        return tl::unexpected(sourced.error());
+    remark(*sourced);
+    if (sourced->origin == FieldOrigin::Traced) {
+        traced_[sourced->field] = sourced->seconds;
+        seconds_spent_ += sourced->seconds;
     }
-    seconds_owed_ += traced.seconds;
-    return traced.field;
+    if (const auto found = traced_.find(sourced->field); found == traced_.end())
+        seconds_owed_.reset();
+    else if (seconds_owed_)
+        *seconds_owed_ += found->second;
+    return sourced->field;
 }
 
-double TracedFields::take_seconds_saved() {
-    return std::exchange(seconds_owed_, 0) - std::exchange(seconds_spent_, 0);
+std::optional<double> TracedFields::seconds_alone(double elapsed) {
+    const double spent = std::exchange(seconds_spent_, 0);
+    const auto owed = std::exchange(seconds_owed_, 0);
+    return owed ? std::optional(elapsed - spent + *owed) : std::nullopt;
 }
 
-void TracedFields::remark(const renderer::geometry::RayStatistics& rays) {
-    if (rays.retried + rays.fallbacks > 0)
+void TracedFields::remark(const thickness::SourcedField& sourced) {
+    model_.remarks.insert(model_.remarks.end(), sourced.remarks.begin(), sourced.remarks.end());
+    if (sourced.origin == FieldOrigin::Memory)
+        return; // has been said
+    if (sourced.origin == FieldOrigin::File)
+        model_.remarks.push_back("thickness " + describe(sourced));
+    if (const auto& rays = sourced.field->statistics; rays.retried + rays.fallbacks > 0)
         model_.remarks.push_back(
             fmt::format("{} of {} rays were traced again, {} decided by winding number",
                         rays.retried, rays.rays, rays.fallbacks));

@@ -1,47 +1,46 @@
-// Thickness fields of one mesh, handed out to every method that is made for it.
+// Thickness fields of one model, handed out to every method that is made for it, and what tracing
+// them took.
 #pragma once
 
 #include "experiment/models.h"
+#include "renderer/thickness/field_source.h"
 #include "renderer/thickness/thickness_field.h"
 
 #include <tl/expected.hpp>
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
-#include <tuple>
 
 namespace experiment {
 
-/// Thickness of one mesh, traced once for every kind and number of directions, with as many bands
-/// as the study's methods usually ask for.  The model outlives it and gets its remarks.
+/// Traces once for every kind and number of directions, and keeps what was traced in
+/// <model's folder>/thickness, so that the next program finds it.  The model outlives it and gets
+/// its remarks.
 class TracedFields {
   public:
     using Field = std::shared_ptr<const renderer::thickness::ThicknessField>;
 
-    TracedFields(LoadedModel& model, renderer::thickness::Progress progress)
-        : model_(model), progress_(std::move(progress)) {}
+    TracedFields(LoadedModel& model, renderer::thickness::Progress progress);
 
     /// Errors: what the tracing refuses.
     tl::expected<Field, std::string> field(const renderer::thickness::FieldOptions& asked);
 
-    /// What tracing would add to the time that whoever asked since the last call has taken, had
-    /// nobody else asked for the same before.
-    double take_seconds_saved();
+    /// How long whoever asked since the last call would have taken alone, had it had to trace all
+    /// it asked for; `elapsed` seconds it did take.  Nothing when a field came from a file: what
+    /// tracing it took is not known then.
+    std::optional<double> seconds_alone(double elapsed);
 
   private:
-    struct Traced {
-        double seconds = 0;
-        Field field;
-    };
-
-    void remark(const renderer::geometry::RayStatistics& rays);
+    void remark(const renderer::thickness::SourcedField& sourced);
 
     LoadedModel& model_;
     renderer::thickness::Progress progress_;
-    std::map<std::tuple<renderer::thickness::Kind, int, int>, Traced> fields_;
+    renderer::thickness::FieldSource source_;
+    std::map<Field, double> traced_; ///< seconds; fields from files are not in it
     double seconds_spent_ = 0;
-    double seconds_owed_ = 0;
+    std::optional<double> seconds_owed_ = 0;
 };
 
 } // namespace experiment

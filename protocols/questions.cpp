@@ -7,12 +7,16 @@ std::vector<Question> all_questions(const Study& study) {
     const auto scenes = static_cast<int>(study.scenes.size());
     const auto variants = static_cast<int>(shown_variants(study).size());
     const auto conditions = static_cast<int>(study.conditions.size());
+    const auto is_reference = [&](int condition) {
+        return study.conditions[static_cast<std::size_t>(condition)].id == study.plan.reference;
+    };
     std::vector<Question> questions;
     for (int scene = 0; scene < scenes; ++scene)
         for (int variant = 0; variant < variants; ++variant)
             for (int first = 0; first < conditions; ++first)
                 for (int second = first + 1; second < conditions; ++second)
-                    questions.push_back({scene, variant, first, second});
+                    if (!is_reference(first) && !is_reference(second))
+                        questions.push_back({scene, variant, first, second});
     return questions;
 }
 

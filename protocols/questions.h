@@ -15,7 +15,8 @@ struct Question {
     int second = 0;
 };
 
-/// All pairs of conditions at all pictures, each once, in the order of the study file.
+/// All pairs of conditions at all pictures, each once, in the order of the study file; the
+/// reference is in none of them.
 std::vector<Question> all_questions(const Study& study);
 
 /// The question with its first condition on `side_of_first`.

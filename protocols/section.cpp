@@ -95,6 +95,33 @@ std::string Section::one_of(std::string_view key,
     return word != nullptr ? *word : "";
 }
 
+std::vector<std::string> Section::several(std::string_view key) {
+    constexpr std::string_view wanted = "a list of texts in quotes, such as [\"one\", \"two\"]";
+    std::vector<std::string> texts;
+    const auto* node = find(key, wanted, false);
+    if (node == nullptr)
+        return texts;
+    if (const auto* list = std::get_if<List>(&node->value))
+        for (const auto& element : *list)
+            if (const auto* text = std::get_if<std::string>(&element.value);
+                text != nullptr && is_one_line(*text))
+                texts.push_back(*text);
+    const auto* list = std::get_if<List>(&node->value);
+    if (texts.empty() || texts.size() != list->size())
+        refuse(key, wanted);
+    return texts;
+}
+
+std::vector<std::string> Section::several_of(std::string_view key,
+                                             const std::vector<std::string>& names) {
+    auto texts = several(key);
+    for (const auto& text : texts)
+        if (std::find(names.begin(), names.end(), text) == names.end())
+            note(key, fmt::format("'{}' in the list {} of {}, expected one of {}", text, key, name_,
+                                  choices(text, names)));
+    return texts;
+}
+
 std::string Section::id() {
     auto id = text("id");
     if (!id.empty() && !is_file_name(id))

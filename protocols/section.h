@@ -56,6 +56,13 @@ class Section {
                        const std::vector<std::string>& names,
                        const std::optional<std::string>& fallback = {});
 
+    /// A list of texts, each on one line and not empty; at least one.
+    std::vector<std::string> several(std::string_view key);
+
+    /// A list of texts that are among the names.
+    std::vector<std::string> several_of(std::string_view key,
+                                        const std::vector<std::string>& names);
+
     /// The text under "id": a name that can also be that of a file, anywhere.
     std::string id();
 

@@ -4,7 +4,10 @@
 // its rendering dials mean is the renderer's business, so the names they may take are handed in.
 #pragma once
 
+#include "protocols/display.h"
 #include "protocols/expected.h"
+#include "protocols/key_map.h"
+#include "protocols/questionnaire.h"
 #include "protocols/vocabulary.h"
 
 #include <array>
@@ -105,10 +108,17 @@ struct Variant {
     int line = 0;
 };
 
-/// The grey around the pictures, as the code value written to the frame buffer, 0..255 per channel.
-struct Surround {
-    int code = 128;
+/// What an answer can be.
+enum class Response {
+    ForcedChoice, ///< left or right
+    WithNotSure,  ///< left, right or "not sure", kept as a tie
+    SevenGrades   ///< BT.500's comparison scale: the right one is much worse (-3) ... much better
+                  ///< (+3)
 };
+
+/// How the pictures of a pair come to the screen.  Where they come one after the other, the first
+/// is the one that the plan calls left.
+enum class Presentation { SideBySide, Sequential, Flip };
 
 struct SessionPlan {
     int sessions = 3;     ///< sittings of one observer
@@ -121,6 +131,13 @@ struct SessionPlan {
     int adapt_s = 60;     ///< grey before the warm-ups
     int break_every = 50; ///< trials between offered breaks; 0: none
     int gap_px = 32;      ///< grey between the two pictures
+    int view_ms = 0; ///< how long a pair, or each of its pictures in turn, is seen; 0: no limit
+    int between_ms = 500;     ///< grey between two pictures that come in turn
+    int longest_minutes = 30; ///< of a sitting, then the experimenter is asked; 0: no limit
+    Response response = Response::ForcedChoice;
+    Presentation presentation = Presentation::SideBySide;
+    /// The condition that is shown beside every pair and never compared.
+    std::optional<ConditionId> reference;
 };
 
 /// The file of the instructions, relative to the study folder; UTF-8, pages separated by lines of
@@ -137,8 +154,12 @@ struct Study {
     std::uint64_t seed = 0;
     int width = 0, height = 0; ///< of each picture, pixels
     Surround surround;
+    Display display;
+    Room room;
     SessionPlan plan;
+    KeyMap keys = standard_keys();
     Instructions instructions;
+    Panel panel;
     std::vector<OwnMaterial> materials;
     std::vector<Scene> scenes;
     std::vector<Variant>
@@ -150,6 +171,9 @@ struct Study {
 struct KnownNames {
     std::vector<std::string> methods;
     std::vector<std::string> materials; ///< the measured ones
+
+    /// A word that people have to read in the label of a condition of this method, by method.
+    std::map<std::string, std::string> caveats = {};
 
     /// The dials of a method with presets for those that are not given, or what is wrong with one.
     std::function<tl::expected<Dials, DialProblem>(const std::string& method, const Dials& given)>

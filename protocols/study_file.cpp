@@ -2,6 +2,7 @@
 // The form is documented in docs/study-file.md.
 #include "protocols/material_section.h"
 #include "protocols/section.h"
+#include "protocols/session_file.h"
 #include "protocols/study.h"
 
 #include <fmt/format.h>
@@ -38,48 +39,6 @@ void read_head(Section section, Study& study) {
     study.width = static_cast<int>(section.whole("width", {16, 16384}));
     study.height = static_cast<int>(section.whole("height", {16, 16384}));
     section.expect_nothing_else();
-}
-
-Surround read_display(Section section) {
-    Surround surround;
-    if (const auto text = section.text("surround", fmt::format("code:{}", surround.code));
-        !text.empty()) {
-        const auto digits = text.starts_with("code:") ? text.substr(5) : "";
-        const bool is_number = !digits.empty() && digits.size() <= 3 &&
-                               digits.find_first_not_of("0123456789") == std::string::npos;
-        surround.code = is_number ? std::stoi(digits) : 256;
-        if (surround.code > 255)
-            section.refuse("surround", "\"code:0\" to \"code:255\", the grey's 8-bit code value");
-    }
-    section.expect_nothing_else();
-    return surround;
-}
-
-SessionPlan read_plan(Section section) {
-    SessionPlan plan;
-    section.whole("sessions", {1, 100}, plan.sessions);
-    section.whole("days_apart", {0, 365}, plan.days_apart);
-    section.whole("warm_ups", {0, 100}, plan.warm_ups);
-    section.whole("training", {0, 100}, plan.training);
-    section.whole("repetitions", {1, 100}, plan.repetitions);
-    section.whole("grey_ms", {0, 60000}, plan.grey_ms);
-    section.whole("closed_ms", {0, 10000}, plan.closed_ms);
-    section.whole("adapt_s", {0, 3600}, plan.adapt_s);
-    section.whole("break_every", {0, 10000}, plan.break_every);
-    section.whole("gap_px", {16, 2000}, plan.gap_px);
-    section.expect_nothing_else();
-    return plan;
-}
-
-Instructions read_instructions(Section section) {
-    Instructions instructions;
-    instructions.language = section.text("language", instructions.language);
-    const auto file = section.text("file", instructions.file);
-    if (file.starts_with("/") || file.find("..") != std::string::npos)
-        section.refuse("file", "a file inside the study folder");
-    instructions.file = file;
-    section.expect_nothing_else();
-    return instructions;
 }
 
 std::optional<DialValue> dial_value(const Node& node) {
@@ -130,6 +89,21 @@ void read_own_images(Section& section) {
                                             entry.key));
 }
 
+/// What is not what its name says has to say so wherever people read it.
+void honour_caveat(Section& section,
+                   const KnownNames& known,
+                   const std::string& method,
+                   Condition& condition) {
+    const auto caveat = known.caveats.find(method);
+    if (caveat == known.caveats.end() || condition.label.find(caveat->second) != std::string::npos)
+        return;
+    if (section.has("label"))
+        section.refuse("label",
+                       fmt::format("the word \"{}\" in it, for that is what method '{}' is",
+                                   caveat->second, method));
+    condition.label += fmt::format(" ({})", caveat->second);
+}
+
 Condition read_condition(Section section, const KnownNames& known) {
     Condition condition;
     condition.line = section.line();
@@ -139,7 +113,9 @@ Condition read_condition(Section section, const KnownNames& known) {
         condition.source = OwnImages{};
         read_own_images(section);
     } else if (section.has("method")) {
-        condition.source = read_rendering(section, known);
+        auto rendering = read_rendering(section, known);
+        honour_caveat(section, known, rendering.method, condition);
+        condition.source = std::move(rendering);
     } else {
         section.note("id", fmt::format("[[condition]] '{}' has no 'method', expected one of {}, or "
                                        "source = \"images\"",
@@ -234,9 +210,7 @@ Study read_study(const Table& root, const KnownNames& known, Problems& problems)
     Study study;
     Section file(root, 1, "the study file", problems);
     read_head(file.table("study", true), study);
-    study.surround = read_display(file.table("display", false));
-    study.plan = read_plan(file.table("session", false));
-    study.instructions = read_instructions(file.table("instructions", false));
+    read_session_tables(file, study);
     for (auto& section : file.tables("condition"))
         study.conditions.push_back(read_condition(std::move(section), known));
     const auto pictures =
@@ -261,9 +235,10 @@ Study read_study(const Table& root, const KnownNames& known, Problems& problems)
     expect_own_ids(study.materials, "material", problems);
     expect_own_ids(study.scenes, "scene", problems);
     expect_own_ids(study.variants, "variant", problems);
+    expect_known_reference(file, study);
     if (problems.first())
         return study; // what follows may only be missing because it could not be read
-    if (study.conditions.size() < 2)
+    if (study.conditions.size() < (study.plan.reference ? 3 : 2))
         problems.note(study.conditions.empty() ? 1 : study.conditions.front().line,
                       fmt::format("{} [[condition]] in this study, expected at least 2 to compare",
                                   study.conditions.size()));

@@ -2,15 +2,22 @@
 #include "experiment/commands/commands.h"
 #include "experiment/models.h"
 #include "experiment/read_study.h"
+#include "experiment/session/words.h"
 #include "experiment/stimuli/freshness.h"
+#include "experiment/store/sqlite_store.h"
+#include "protocols/conformity.h"
+#include "protocols/questions.h"
 #include "protocols/schedule.h"
 #include "protocols/session_length.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <set>
 
 namespace experiment::commands {
 
@@ -26,16 +33,48 @@ bool has_rendered_conditions(const Study& study) {
 }
 
 void say_what_is_asked(const Study& study) {
-    const auto pictures = study.scenes.size() * shown_variants(study).size();
-    const auto t = study.conditions.size();
-    fmt::print("{}: {} conditions, {} scenes, {} ways to show each: {} pairs a sitting, "
-               "{}\n",
-               study.id, t, study.scenes.size(), shown_variants(study).size(),
-               pictures * t * (t - 1) / 2 * static_cast<std::size_t>(study.plan.repetitions),
+    const auto pairs = all_questions(study).size();
+    fmt::print("{}: {} conditions{}, {} scenes, {} ways to show each: {} pairs a sitting, {}\n",
+               study.id, study.conditions.size(),
+               study.plan.reference ? ", one of them the reference," : "", study.scenes.size(),
+               shown_variants(study).size(),
+               pairs * static_cast<std::size_t>(study.plan.repetitions),
                study.plan.sessions == 1
                    ? "one sitting"
                    : fmt::format("{} sittings, {} calendar days from one to the next or more",
                                  study.plan.sessions, study.plan.days_apart));
+    if (!session::speaks(study.instructions.language))
+        fmt::print("language: \"{}\"; the built-in pages will be in English, as they are in {} "
+                   "only\n",
+                   study.instructions.language, fmt::join(session::spoken_languages(), ", "));
+}
+
+/// People who passed the screening and have finished a sitting; empty where there are no votes.
+std::optional<int> screened_so_far(const LoadedStudy& loaded) {
+    if (!std::filesystem::exists(loaded.folder.votes()))
+        return std::nullopt;
+    const auto store = value_or_stop(store::open_votes(loaded.folder.votes()));
+    std::set<protocols::ObserverId> screened;
+    for (const auto& sitting : value_or_stop(store->sittings()))
+        if (!sitting.simulation && sitting.finished_utc)
+            for (const auto& answer : value_or_stop(store->answers(sitting.key.observer)))
+                if (answer.question == "screening" && answer.answer == "passed")
+                    screened.insert(sitting.key.observer);
+    return static_cast<int>(screened.size());
+}
+
+/// ITU-R BT.500, line by line.
+void say_conformity(const LoadedStudy& loaded) {
+    fmt::print("ITU-R BT.500:\n");
+    std::map<protocols::Verdict, int> counts;
+    for (const auto& line : protocols::bt500_conformity(loaded.study, {screened_so_far(loaded)})) {
+        ++counts[line.verdict];
+        fmt::print("  {:<31} {}: {}\n", protocols::words_of(line.verdict), line.asked,
+                   line.because);
+    }
+    fmt::print("  {} met, {} not met, {} only the experimenter can know\n",
+               counts[protocols::Verdict::Met], counts[protocols::Verdict::NotMet],
+               counts[protocols::Verdict::OnlyTheExperimenterKnows]);
 }
 
 void say_how_long(const Study& study) {
@@ -99,6 +138,7 @@ void add_check(CLI::App& program) {
         if (has_rendered_conditions(loaded.study))
             check_models(loaded, options->voice);
         check_pictures(loaded);
+        say_conformity(loaded);
         fmt::print("observers: fewer than 15 make it an informal study (BT.500)\n");
     });
 }

@@ -17,14 +17,27 @@ void add_session(CLI::App& program);
 void add_simulate(CLI::App& program);
 void add_export(CLI::App& program);
 void add_analyze(CLI::App& program);
+void add_anova(CLI::App& program);
 void add_report(CLI::App& program);
 void add_schedule(CLI::App& program);
 void add_thickness(CLI::App& program);
+void add_reference(CLI::App& program);
+void add_compare(CLI::App& program);
 void add_methods(CLI::App& program);
 void add_demo(CLI::App& program);
+void add_register(CLI::App& program);
+void add_observers(CLI::App& program);
+void add_withdraw(CLI::App& program);
+void add_display(CLI::App& program);
+void add_timing_check(CLI::App& program);
+void add_photometer(CLI::App& program);
+void add_pages(CLI::App& program);
+void add_import(CLI::App& program);
 
-/// Writes a new study of the named template into `path`.  Errors: CommandError when there is a
-/// study already.
-void make_study_folder(const std::filesystem::path& path, const std::string& template_name);
+/// Writes a new study of the named template into `path`, its pages in "en" or "de".  Errors:
+/// CommandError when there is a study already.
+void make_study_folder(const std::filesystem::path& path,
+                       const std::string& template_name,
+                       const std::string& language = "en");
 
 } // namespace experiment::commands

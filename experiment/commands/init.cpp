@@ -2,6 +2,7 @@
 #include "experiment/commands/commands.h"
 #include "experiment/study_folder.h"
 #include "experiment/text_files.h"
+#include "protocols/studies/instructions.de.md.h"
 #include "protocols/studies/instructions.md.h"
 #include "protocols/studies/own-images.toml.h"
 #include "protocols/studies/quick.toml.h"
@@ -28,9 +29,23 @@ const std::map<std::string, std::string_view>& study_templates() {
     return texts;
 }
 
+/// The template in another language: its instructions, its question, and what its pages speak.
+std::string in_german(std::string text) {
+    const auto replace = [&](std::string_view english, std::string_view german) {
+        for (auto at = text.find(english); at != std::string::npos;
+             at = text.find(english, at + german.size()))
+            text.replace(at, english.size(), german);
+    };
+    replace("language = \"en\"", "language = \"de\"");
+    replace("\"Which picture looks more realistic?\"", "\"Welches Bild wirkt realistischer?\"");
+    return text;
+}
+
 } // namespace
 
-void make_study_folder(const fs::path& path, const std::string& template_name) {
+void make_study_folder(const fs::path& path,
+                       const std::string& template_name,
+                       const std::string& language) {
     const StudyFolder folder{path};
     if (fs::exists(folder.study_file()))
         throw CommandError(fmt::format("{}: there is a study already; choose another folder",
@@ -39,14 +54,19 @@ void make_study_folder(const fs::path& path, const std::string& template_name) {
         throw CommandError(
             fmt::format("{}: is there already and would be written over; move it away",
                         (folder.root / "instructions.md").string()));
-    value_or_stop(write_text_file(folder.root / "instructions.md", templates::instructions_md));
-    value_or_stop(write_text_file(folder.study_file(), study_templates().at(template_name)));
+    const std::string study(study_templates().at(template_name));
+    const bool german = language == "de";
+    value_or_stop(
+        write_text_file(folder.root / "instructions.md",
+                        german ? templates::instructions_de_md : templates::instructions_md));
+    value_or_stop(write_text_file(folder.study_file(), german ? in_german(study) : study));
 }
 
 void add_init(CLI::App& program) {
     struct Options {
         std::string folder;
         std::string study_template = "quick";
+        std::string language = "en";
         Voice voice;
     };
 
@@ -57,9 +77,12 @@ void add_init(CLI::App& program) {
     command->add_option("--template", options->study_template, "The study to begin with")
         ->check(CLI::IsMember({"shss-2012", "own-images", "quick"}))
         ->capture_default_str();
+    command->add_option("--language", options->language, "Of the instructions and the pages")
+        ->check(CLI::IsMember({"en", "de"}))
+        ->capture_default_str();
     add_voice(*command, options->voice);
     command->callback([options] {
-        make_study_folder(options->folder, options->study_template);
+        make_study_folder(options->folder, options->study_template, options->language);
         fmt::print("{}\n", StudyFolder{options->folder}.study_file().string());
         options->voice.remark(
             fmt::format("Next: edit it, then `pairlight check {0}` and `pairlight render {0}`.",

@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include <cstdio>
 #include <memory>
 
 namespace experiment::commands {
@@ -21,18 +20,6 @@ struct Options {
     std::string window;
     Voice voice;
 };
-
-/// "1280x720" as a size.
-std::optional<session::WindowSize> window_size(const std::string& text) {
-    if (text.empty())
-        return std::nullopt;
-    session::WindowSize size;
-    int read = 0;
-    if (std::sscanf(text.c_str(), "%5dx%5d%n", &size.width, &size.height, &read) != 2 ||
-        static_cast<std::size_t>(read) != text.size() || size.width < 1 || size.height < 1)
-        throw CommandError(fmt::format("--window {}: expected a size such as 1280x720", text));
-    return size;
-}
 
 void run(Options options) {
     options.seat.size = window_size(options.window);
@@ -67,6 +54,10 @@ void add_session(CLI::App& program) {
         ->check(CLI::PositiveNumber);
     command->add_option("--override-days", options->seat.override_reason,
                         "Sit earlier than the study allows, for this reason; it is recorded");
+    command->add_flag("--set-up", options->seat.setting_up,
+                      "Begin with the experimenter's pages: the display, brightness and contrast");
+    command->add_flag("--allow-long", options->seat.allow_long,
+                      "Sit even if the plan takes longer than the study allows");
     add_voice(*command, options->voice);
     command->callback([options] { run(*options); });
 }

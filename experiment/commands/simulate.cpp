@@ -14,6 +14,7 @@ void add_simulate(CLI::App& program) {
         std::string study;
         int observers = 10;
         std::string specification;
+        std::string window;
         Voice voice;
     };
 
@@ -28,10 +29,13 @@ void add_simulate(CLI::App& program) {
     command->add_option(
         "--observer-spec", options->specification,
         "True scores, noise, bias, lapses and seed, such as \"scores=a:1,b:0;noise=1;seed=7\"");
+    command->add_option("--window", options->window,
+                        "Through a real window of this size, such as 1280x800, at full speed");
     add_voice(*command, options->voice);
     command->callback([options] {
         const auto loaded = value_or_stop(read_study(options->study));
-        simulate_observers(loaded, options->observers, options->specification, options->voice);
+        simulate_observers(loaded, options->observers, options->specification, options->voice,
+                           window_size(options->window));
         fmt::print("{}: {} simulated observers have finished {} sittings each\n",
                    loaded.folder.votes().string(), options->observers, loaded.study.plan.sessions);
     });

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace experiment::session {
 
@@ -53,9 +52,10 @@ Expected<void> check_dates(const SittingRequest& request,
     const auto least = request.study.plan.days_apart;
     if (request.simulation || request.override_reason)
         return {}; // nobody's eyes get tired; or somebody decided otherwise, and it is written down
+    // A sitting that lies in the future says that the clock was set back: nobody knows the day.
     for (const auto& other : sittings)
-        if (other.key.observer == request.key.observer &&
-            std::abs(days_between(other.local_date, today)) < least)
+        if (other.key.observer == request.key.observer && other.key != request.key &&
+            days_between(other.local_date, today) < least)
             return tl::unexpected(fmt::format(
                 "session {} of observer {} would be on {}, but session {} was on {}; expected at "
                 "least {} day(s) between them, or a reason to override that",
@@ -70,7 +70,7 @@ start_of(const SittingRequest& request, const DisplayFacts& display, WallTime no
     return {request.key,         request.study_sha256,   local_date(now),
             utc_text(now),       schedule.generator,     schedule.order_seed,
             schedule.sides_seed, schedule.scene_rule,    store::plan_digest(schedule.trials),
-            request.renderer,    display.description,    display.timing_grade,
+            request.renderer,    display.description,    provisional_grade(display.timing),
             request.simulation,  request.override_reason};
 }
 
@@ -100,39 +100,72 @@ Progress progress_of(const store::Sitting& begun, WallTime now) {
     return progress;
 }
 
-// Carries out what a sitting wants recorded.
+// Carries out what a sitting wants recorded, and counts its frames.
 class Recorder {
   public:
-    Recorder(const store::SittingKey& key, store::VoteStore& store, const Clock& clock)
-        : key_(key), store_(store), clock_(clock) {}
+    Recorder(const store::SittingKey& key,
+             store::VoteStore& store,
+             const Clock& clock,
+             DisplayTiming timing)
+        : key_(key), store_(store), clock_(clock), timing_(timing) {}
 
-    Expected<void> operator()(store::Shown shown) const {
+    Expected<void> operator()(store::Shown shown) {
         shown.onset_utc = utc_of(Monotonic(shown.onset_ns), clock_);
         return store_.append_shown(key_, shown);
     }
 
-    Expected<void> operator()(store::MainVote vote) const {
+    Expected<void> operator()(store::MainVote vote) {
+        count(vote.frames);
         vote.onset_utc = utc_of(Monotonic(vote.onset_ns), clock_);
         return store_.append_vote(key_, vote);
     }
 
-    Expected<void> operator()(store::SittingEvent event) const {
+    Expected<void> operator()(const store::FramesSeen& seen) {
+        count(seen.frames);
+        return store_.append_frames(key_, seen);
+    }
+
+    Expected<void> operator()(store::SittingEvent event) {
         event.utc = utc_of(Monotonic(event.at_ns), clock_);
         return store_.append_event(key_, event);
     }
 
-    Expected<void> operator()(const Finish&) const {
+    Expected<void> operator()(const Finish&) {
+        if (auto graded = grade(); !graded)
+            return graded;
         return store_.finish_sitting(key_, utc_text(clock_.wall()));
     }
 
+    /// Says on record how the display kept time.
+    Expected<void> grade() {
+        const auto text =
+            fmt::format("grade={}; frames={}; late={}; refreshes_missed={}",
+                        timing_grade(timing_, frames_, late_), frames_, late_, missed_);
+        return store_.append_event(key_,
+                                   {"timing", text, clock_.now().count(), utc_text(clock_.wall())});
+    }
+
   private:
+    void count(const std::vector<store::Frame>& frames) {
+        for (const auto& frame : frames) {
+            frames_ += frame.what == "stored" ? 0 : 1;
+            late_ += frame.late > 0 ? 1 : 0;
+            missed_ += frame.late;
+        }
+    }
+
     const store::SittingKey& key_;
     store::VoteStore& store_;
     const Clock& clock_;
+    DisplayTiming timing_;
+    int frames_ = 0;
+    int late_ = 0;
+    int missed_ = 0;
 };
 
 // Advances the sitting and records what follows from it, until nothing more does.
-Expected<void> step(Sitting& sitting, const Recorder& record, std::vector<Effect> effects) {
+Expected<void>
+step(Sitting& sitting, Recorder& record, const Clock& clock, std::vector<Effect> effects) {
     while (!effects.empty()) {
         bool vote_stored = false;
         for (const auto& effect : effects) {
@@ -140,14 +173,22 @@ Expected<void> step(Sitting& sitting, const Recorder& record, std::vector<Effect
                 return done;
             vote_stored = vote_stored || std::holds_alternative<store::MainVote>(effect);
         }
-        effects = vote_stored ? sitting.advance({{}, VoteStored{}}) : std::vector<Effect>{};
+        effects =
+            vote_stored ? sitting.advance({clock.now(), VoteStored{}}) : std::vector<Effect>{};
     }
     return {};
 }
 
 // Shows and waits until the sitting is over.  True: it was finished.
-Expected<bool> run(Sitting& sitting, const Recorder& record, Screen& screen, const Clock& clock) {
-    auto done = step(sitting, record, sitting.begin(clock.now()));
+Expected<bool> run(Sitting& sitting,
+                   Recorder& record,
+                   Screen& screen,
+                   const Clock& clock,
+                   const std::function<void(const Standing&)>& watch) {
+    const auto advance = [&](const Input& input) {
+        return step(sitting, record, clock, sitting.advance(input));
+    };
+    auto done = step(sitting, record, clock, sitting.begin(clock.now()));
     for (int seen = 0; done;) {
         if (const auto* end = std::get_if<EndView>(&sitting.view()))
             return end->finished;
@@ -156,15 +197,15 @@ Expected<bool> run(Sitting& sitting, const Recorder& record, Screen& screen, con
             const auto onset = screen.show(sitting.view());
             if (!onset)
                 return tl::unexpected(onset.error());
-            if (std::holds_alternative<PairView>(sitting.view())) {
-                done = step(sitting, record, sitting.advance(*onset));
-                continue;
-            }
+            if (done = advance(*onset); !done)
+                break;
+            if (watch)
+                watch(sitting.standing(clock.now()));
         }
         if (const auto pair = sitting.upcoming())
             screen.prepare(*pair);
         const auto input = screen.wait(sitting.wake_at());
-        done = step(sitting, record, sitting.advance(input.value_or(Input{clock.now(), Waited{}})));
+        done = advance(input.value_or(Input{clock.now(), Waited{}}));
     }
     return tl::unexpected(done.error());
 }
@@ -185,6 +226,8 @@ Expected<void> open_sitting(const SittingRequest& request,
     auto done = store.add_observer(request.key.observer, utc_text(now));
     if (done)
         done = store.begin_sitting(start_of(request, display, now), request.schedule.trials);
+    if (done && !request.stimuli_sha256.empty())
+        done = note("stimuli", "sha256=" + request.stimuli_sha256);
     if (done)
         done = note("instructions",
                     fmt::format("language={}; sha256={}", request.study.instructions.language,
@@ -193,7 +236,46 @@ Expected<void> open_sitting(const SittingRequest& request,
     return done;
 }
 
+Expected<void> check_registration(const SittingRequest& request, const store::VoteStore& store) {
+    const auto& panel = request.study.panel;
+    if (request.simulation || (panel.questions.empty() && !panel.consent))
+        return {};
+    const auto answers = store.answers(request.key.observer);
+    if (!answers)
+        return tl::unexpected(answers.error());
+    const auto has = [&](const std::string& question) {
+        return std::ranges::find(*answers, question, &store::Answer::question) != answers->end();
+    };
+    const auto refuse = [&](const std::string& what) {
+        return tl::unexpected(fmt::format("observer {} {}; expected `pairlight register` first",
+                                          request.key.observer.value, what));
+    };
+    if (panel.consent && !has("consent"))
+        return refuse("has no consent on record");
+    for (const auto& question : panel.questions)
+        if (!has(question.id))
+            return refuse(fmt::format("has no answer to '{}' on record", question.id));
+    return {};
+}
+
+SittingScript script_of(const SittingRequest& request, const DisplayFacts& facts) {
+    const bool synced = facts.timing.verdict == SwapVerdict::Synced;
+    return {split_pages(request.instructions),
+            request.study.question,
+            request.study.plan,
+            request.schedule.trials,
+            page_style(request.study),
+            request.simulation ? std::vector<PageView>{} : facts.setting_up,
+            facts.refresh,
+            synced ? facts.refresh / 2 : Monotonic{}};
+}
+
 } // namespace
+
+PageStyle page_style(const protocols::Study& study) {
+    return {&words_in(study.instructions.language), study.keys, study.plan.response,
+            study.plan.presentation};
+}
 
 Expected<void>
 check_sitting(const SittingRequest& request, const store::VoteStore& store, const Clock& clock) {
@@ -201,6 +283,8 @@ check_sitting(const SittingRequest& request, const store::VoteStore& store, cons
         return tl::unexpected(fmt::format("{}: is empty, expected at least one page of "
                                           "instructions",
                                           request.study.instructions.file));
+    if (auto registered = check_registration(request, store); !registered)
+        return registered;
     const auto begun = store.sitting(request.key);
     if (!begun)
         return tl::unexpected(begun.error());
@@ -226,13 +310,17 @@ Expected<SittingOutcome> conduct(const SittingRequest& request,
     if (auto opened = open_sitting(request, store, screen, clock, outcome.resumed); !opened)
         return tl::unexpected(opened.error());
 
-    Sitting sitting({split_pages(request.instructions), request.study.question, request.study.plan,
-                     request.schedule.trials},
+    const auto facts = screen.facts();
+    Sitting sitting(script_of(request, facts),
                     *begun ? progress_of(**begun, clock.wall()) : Progress{});
-    const auto finished = run(sitting, Recorder(request.key, store, clock), screen, clock);
+    Recorder record(request.key, store, clock, facts.timing);
+    const auto finished = run(sitting, record, screen, clock, request.watch);
     if (!finished)
         return tl::unexpected(finished.error());
     outcome.finished = *finished;
+    if (!outcome.finished)
+        if (auto graded = record.grade(); !graded)
+            return tl::unexpected(graded.error());
     const auto now = store.sitting(request.key);
     if (!now)
         return tl::unexpected(now.error());

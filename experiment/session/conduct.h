@@ -3,10 +3,12 @@
 
 #include "experiment/session/clock.h"
 #include "experiment/session/screen.h"
+#include "experiment/session/sitting.h"
 #include "experiment/store/vote_store.h"
 #include "protocols/schedule.h"
 #include "protocols/study.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -24,6 +26,10 @@ struct SittingRequest {
     std::optional<std::string> simulation;
     /// Why a sitting may come sooner than the study's `days_apart` allows.
     std::optional<std::string> override_reason;
+    /// Told after every step how far the sitting has come.
+    std::function<void(const Standing&)> watch{};
+    /// Of the pictures' files, hexadecimal; recorded with the sitting.  Empty: not known.
+    std::string stimuli_sha256{};
 };
 
 struct SittingOutcome {
@@ -34,10 +40,14 @@ struct SittingOutcome {
 
 /// Says whether the sitting may take place now, without writing anything.
 /// Errors: it is finished; it was begun with another plan, or simulated where it would now be a
-/// person's (or the other way round); the observer's other sittings are too near; no page of
-/// instructions.
+/// person's (or the other way round); the observer's other sittings are too near, or lie in the
+/// future by this clock; a person of whom the study's questions are not answered, or who has not
+/// consented; no page of instructions.
 Expected<void>
 check_sitting(const SittingRequest& request, const store::VoteStore& store, const Clock& clock);
+
+/// How a study's built-in pages speak.
+PageStyle page_style(const protocols::Study& study);
 
 /// Conducts it.  Every showing is recorded while it is on the screen, every vote before the next
 /// view.  A sitting that was begun before goes on: instructions, questions, adaptation and warm-ups

@@ -12,10 +12,20 @@ using Monotonic = std::chrono::nanoseconds;
 
 /// What a key or a mouse button means here; which one it was is the screen's business.
 enum class Key {
-    Left,    ///< the left picture: left arrow, or a click on it
-    Right,   ///< the right picture
-    Forward, ///< the next page: Space or Enter
-    Release, ///< the experimenter's key: F9
+    Left,      ///< the left picture, or the first: an arrow, or a click on it
+    Right,     ///< the right picture, or the second
+    NotSure,   ///< neither
+    MuchWorse, ///< seven grades of the right picture, or the second, compared with the other
+    Worse,
+    SlightlyWorse,
+    Same,
+    SlightlyBetter,
+    Better,
+    MuchBetter,
+    Flip,    ///< the other picture, where they are seen in turn
+    Forward, ///< the next page
+    Release, ///< the experimenter's key
+    Again,   ///< the experimenter's: the training once more
     Escape,
     Other
 };
@@ -32,7 +42,7 @@ struct LetGo {
     Key key{};
 };
 
-/// The pictures that were asked for are on the screen since this input's time.
+/// The view that was asked for is on the screen since this input's time.
 struct OnsetSeen {
     std::string source; ///< how that is known: "swap_return", "virtual"
 };
@@ -49,9 +59,22 @@ struct FocusLost {};
 /// Somebody closed the window.
 struct CloseAsked {};
 
+/// The screen is not what it was: another size, a monitor gone or come.
+struct DisplayChanged {
+    std::string what; ///< "the window has 800 x 600 pixels, not 1280 x 800"
+};
+
 struct Input {
     Monotonic at{};
-    std::variant<Pressed, LetGo, OnsetSeen, VoteStored, Waited, FocusLost, CloseAsked> what;
+    std::variant<Pressed,
+                 LetGo,
+                 OnsetSeen,
+                 VoteStored,
+                 Waited,
+                 FocusLost,
+                 CloseAsked,
+                 DisplayChanged>
+        what;
 };
 
 } // namespace experiment::session

@@ -146,6 +146,20 @@ std::string text_of(const SimulatedObserver& observer) {
                        observer.side_bias, observer.lapse, observer.seed);
 }
 
+Key key_of(const SimulatedAnswer& answer, protocols::Response response) {
+    using protocols::Response;
+    const bool alike = std::abs(answer.preference) < 0.25;
+    if (response == Response::SevenGrades) {
+        const auto strength = std::abs(answer.preference);
+        const int grade = alike ? 0 : strength < 0.75 ? 1 : strength < 1.5 ? 2 : 3;
+        const bool right = answer.side == protocols::Side::Right;
+        return static_cast<Key>(static_cast<int>(Key::Same) + (right ? grade : -grade));
+    }
+    if (response == Response::WithNotSure && alike)
+        return Key::NotSure;
+    return answer.side == protocols::Side::Left ? Key::Left : Key::Right;
+}
+
 SimulatedAnswer answer(const SimulatedObserver& observer,
                        const std::string& study,
                        const protocols::ObserverId& name,
@@ -166,8 +180,10 @@ SimulatedAnswer answer(const SimulatedObserver& observer,
     // People are quick where they are sure; log-normal about 1.6 s at most, never below 0.4 s.
     const auto clarity = 1.0 + std::abs(difference) / observer.noise;
     const auto seconds = 0.4 + 1.2 / clarity * std::exp(0.4 * draw_normal(rng)) + 0.3;
+    const double lapse_preference = chooses_left ? -0.5 : 0.5;
     return {chooses_left ? protocols::Side::Left : protocols::Side::Right,
-            std::chrono::nanoseconds(std::llround(seconds * 1e9))};
+            std::chrono::nanoseconds(std::llround(seconds * 1e9)),
+            lapses ? lapse_preference : -difference / observer.noise};
 }
 
 } // namespace experiment::session

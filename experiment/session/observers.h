@@ -2,6 +2,7 @@
 // Model: [Thurstone1927], Case V.
 #pragma once
 
+#include "experiment/session/inputs.h"
 #include "protocols/expected.h"
 #include "protocols/random.h"
 #include "protocols/study.h"
@@ -28,7 +29,13 @@ struct SimulatedObserver {
 struct SimulatedAnswer {
     protocols::Side side{};
     std::chrono::nanoseconds response_time{}; ///< above 400 ms, mostly 1 to 3 s
+    double preference = 0; ///< for the right picture, in standard deviations of one impression
 };
+
+/// The key for an answer.  Where there is a way to say so, the two look alike to a simulated
+/// observer below a preference of 0.25; "slightly" ends at 0.75, "much" begins at 1.5.  A lapse is
+/// answered slightly.
+Key key_of(const SimulatedAnswer& answer, protocols::Response response);
 
 /// Reads "scores=shss-25:1.0,green:0.2;noise=1;bias=0;lapse=0.02;seed=7", every part optional.
 /// Without scores, the study's conditions lie between 1 (its first) and 0 (its last), evenly.

@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace experiment::session {
+
+using protocols::Action;
 
 namespace {
 
@@ -49,6 +53,47 @@ std::string flowed(std::string_view markdown) {
     return page;
 }
 
+template <class... Values>
+std::string filled(std::string_view sentence, const Values&... values) {
+    return fmt::format(fmt::runtime(sentence), values...);
+}
+
+std::string headed(std::string_view heading, std::string_view text) {
+    return fmt::format("# {}\n\n{}", heading, text);
+}
+
+/// The first key of an action, as people say it.
+std::string key(const PageStyle& style, Action action) {
+    return spoken_key(style.keys.at(action).front(), *style.words);
+}
+
+std::string grades(const PageStyle& style, bool side_by_side) {
+    const auto& words = *style.words;
+    std::string lines(side_by_side ? words.grades_of_right : words.grades_of_second);
+    for (int i = 0; i < 7; ++i) {
+        const auto action = static_cast<Action>(static_cast<int>(Action::MuchWorse) + i);
+        lines += fmt::format("\n- {}: {}", key(style, action), words.grades[i]);
+    }
+    return lines;
+}
+
+std::string how_to_answer(const PageStyle& style) {
+    const auto& words = *style.words;
+    const bool side_by_side = style.presentation == protocols::Presentation::SideBySide;
+    std::string lines;
+    if (style.presentation == protocols::Presentation::Flip)
+        lines = filled(words.flip, key(style, Action::Flip)) + "\n";
+    if (style.response == protocols::Response::SevenGrades)
+        return lines + grades(style, side_by_side);
+    lines +=
+        filled(side_by_side ? words.answer_left : words.answer_first, key(style, Action::Left)) +
+        "\n" +
+        filled(side_by_side ? words.answer_right : words.answer_second, key(style, Action::Right));
+    if (style.response == protocols::Response::WithNotSure)
+        lines += "\n" + filled(words.answer_not_sure, key(style, Action::NotSure));
+    return lines;
+}
+
 } // namespace
 
 std::vector<std::string> split_pages(std::string_view text) {
@@ -71,45 +116,85 @@ std::vector<std::string> split_pages(std::string_view text) {
     return pages;
 }
 
-PageView instruction_page(std::string_view text) {
-    return {flowed(text), "Space: next page", Key::Forward};
+PageView instruction_page(const PageStyle& style, std::string_view text) {
+    return {flowed(text), filled(style.words->next_page, key(style, Action::Forward)),
+            Key::Forward};
 }
 
-PageView question_page(const std::string& question) {
-    return {fmt::format("# Any questions?\n\n"
-                        "Please ask them now.\n\n"
-                        "In every pair that follows: {}\n\n"
-                        "Left arrow, or a click on the left picture: the left one.\n"
-                        "Right arrow, or a click on the right picture: the right one.\n\n"
-                        "First the screen stays grey for a while, so that your eyes get used to "
-                        "it. Then the pairs begin.",
-                        question),
-            "F9 (the experimenter): begin", Key::Release};
+PageView question_page(const PageStyle& style, const std::string& question, bool may_repeat) {
+    const auto& words = *style.words;
+    auto keys = filled(words.questions_keys, key(style, Action::Release));
+    if (may_repeat)
+        keys += "      " + filled(words.training_again_key, key(style, Action::Again));
+    return {fmt::format("# {}\n\n{}\n\n{}\n\n{}\n\n{}", words.questions_heading,
+                        words.questions_ask, filled(words.questions_task, question),
+                        how_to_answer(style), words.questions_adapt),
+            keys, Key::Release};
 }
 
-PageView break_page() {
-    return {"# Time for a break\n\n"
-            "Rest your eyes for a minute or more. Go on when you feel like it.",
-            "Space: go on (after ten seconds)", Key::Forward};
+PageView break_page(const PageStyle& style) {
+    const auto& words = *style.words;
+    return {headed(words.break_heading, words.break_text),
+            filled(words.break_keys, key(style, Action::Forward)), Key::Forward};
 }
 
-PageView paused_page() {
-    return {"# Paused\n\n"
-            "The window was left. The last pair will be shown again.",
-            "F9 (the experimenter): go on", Key::Release};
+PageView paused_page(const PageStyle& style, PauseReason reason) {
+    const auto& words = *style.words;
+    return {headed(words.paused_heading,
+                   reason == PauseReason::WindowLeft ? words.paused_left : words.paused_changed),
+            filled(words.paused_keys, key(style, Action::Release)), Key::Release};
 }
 
-PageView stop_page() {
-    return {"# Do you want to stop here?\n\n"
-            "Your answers so far are kept. The session can be taken up again later, with the pair "
-            "that was on the screen.",
-            "Space: go on      Escape: stop", Key::Forward};
+PageView stop_page(const PageStyle& style) {
+    const auto& words = *style.words;
+    return {headed(words.stop_heading, words.stop_text),
+            filled(words.stop_keys, key(style, Action::Forward), key(style, Action::Stop)),
+            Key::Forward};
 }
 
-PageView thanks_page() {
-    return {"# Thank you!\n\n"
-            "This session is finished and all your answers are stored.",
-            "Space: close", Key::Forward};
+PageView limit_page(const PageStyle& style) {
+    const auto& words = *style.words;
+    return {headed(words.limit_heading, words.limit_text),
+            filled(words.limit_keys, key(style, Action::Release), key(style, Action::Stop)),
+            Key::Release};
+}
+
+PageView thanks_page(const PageStyle& style) {
+    const auto& words = *style.words;
+    return {headed(words.thanks_heading, words.thanks_text),
+            filled(words.thanks_keys, key(style, Action::Forward)), Key::Forward};
+}
+
+PageView display_page(const PageStyle& style, std::string_view facts) {
+    std::string lines;
+    while (!facts.empty()) {
+        const auto fact = facts.substr(0, facts.find(';'));
+        facts.remove_prefix(std::min(facts.size(), fact.size() + 1));
+        lines += "- " + trimmed(fact) + "\n";
+    }
+    const auto& words = *style.words;
+    return {headed(words.display_heading, trimmed(lines)),
+            filled(words.display_keys, key(style, Action::Release)), Key::Release};
+}
+
+PageView contrast_page(const PageStyle& style) {
+    const auto grey = [](double left, double width, std::uint8_t code) {
+        return Patch{left, 0.5, width, 0.3, code, code, code};
+    };
+    const auto& words = *style.words;
+    return {headed(words.contrast_heading, words.contrast_text),
+            filled(words.contrast_keys, key(style, Action::Release)),
+            Key::Release,
+            {grey(0.1, 0.35, 0), grey(0.17, 0.06, 2), grey(0.32, 0.06, 12), grey(0.55, 0.35, 235),
+             grey(0.62, 0.06, 245), grey(0.77, 0.06, 255)}};
+}
+
+PageView
+photometer_page(const PageStyle& style, std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
+    return {fmt::format("{},{},{}", red, green, blue),
+            filled(style.words->patch_keys, key(style, Action::Forward)),
+            Key::Forward,
+            {{0.25, 0.25, 0.5, 0.5, red, green, blue}}};
 }
 
 } // namespace experiment::session

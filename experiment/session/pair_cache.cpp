@@ -40,8 +40,9 @@ void PairCache::prepare(const PairView& pair) {
     if (slots_.contains(pair.number))
         return;
     std::erase_if(slots_, [&](const auto& slot) { return slot.first != got_last_; });
-    slots_[pair.number] = {decode(pair.trial, pair.trial.left),
-                           decode(pair.trial, pair.trial.right), std::nullopt};
+    slots_[pair.number] = {
+        decode(pair.trial, pair.trial.left), decode(pair.trial, pair.trial.right),
+        reference_ ? decode(pair.trial, *reference_) : std::future<Decoded>(), std::nullopt};
 }
 
 Expected<UploadedPair> PairCache::upload(Slot& slot) {
@@ -51,12 +52,20 @@ Expected<UploadedPair> PairCache::upload(Slot& slot) {
         return tl::unexpected(left.error());
     if (!right)
         return tl::unexpected(right.error());
-    return UploadedPair{UploadedPicture(*left), UploadedPicture(*right)};
+    UploadedPair pair{UploadedPicture(*left), UploadedPicture(*right), std::nullopt};
+    if (slot.reference.valid()) {
+        const auto reference = slot.reference.get();
+        if (!reference)
+            return tl::unexpected(reference.error());
+        pair.reference.emplace(*reference);
+    }
+    return pair;
 }
 
 void PairCache::upload_what_is_ready() {
     for (auto& [number, slot] : slots_)
-        if (!slot.uploaded && is_ready(slot.left) && is_ready(slot.right))
+        if (!slot.uploaded && is_ready(slot.left) && is_ready(slot.right) &&
+            (!slot.reference.valid() || is_ready(slot.reference)))
             slot.uploaded.emplace(upload(slot));
 }
 

@@ -20,13 +20,18 @@ using LoadPicture = std::function<Expected<renderer::gpu::Picture8>(const protoc
 struct UploadedPair {
     renderer::gpu::UploadedPicture left;
     renderer::gpu::UploadedPicture right;
+    std::optional<renderer::gpu::UploadedPicture> reference;
 };
 
 /// Holds the pair on the screen and the next one.
 class PairCache {
   public:
-    PairCache(LoadPicture load, int width, int height)
-        : load_(std::move(load)), width_(width), height_(height) {}
+    PairCache(LoadPicture load,
+              int width,
+              int height,
+              std::optional<protocols::ConditionId> reference = {})
+        : load_(std::move(load)), width_(width), height_(height), reference_(std::move(reference)) {
+    }
 
     /// Begins to decode a pair, and forgets the others but the one got last.
     void prepare(const PairView& pair);
@@ -44,6 +49,7 @@ class PairCache {
     struct Slot {
         std::future<Decoded> left;
         std::future<Decoded> right;
+        std::future<Decoded> reference; ///< invalid where there is none
         std::optional<Expected<UploadedPair>> uploaded;
     };
 
@@ -54,6 +60,7 @@ class PairCache {
     LoadPicture load_;
     int width_;
     int height_;
+    std::optional<protocols::ConditionId> reference_;
     int got_last_ = 0;
     std::map<int, Slot> slots_; ///< by number of the trial
 };

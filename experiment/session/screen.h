@@ -2,11 +2,13 @@
 #pragma once
 
 #include "experiment/session/inputs.h"
+#include "experiment/session/timing.h"
 #include "experiment/session/views.h"
 #include "protocols/expected.h"
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace experiment::session {
 
@@ -14,8 +16,10 @@ using protocols::Expected;
 
 /// What a sitting's votes were seen on.
 struct DisplayFacts {
-    std::string description;  ///< "name=value; name=value"
-    std::string timing_grade; ///< A, B, C or U (unverified)
+    std::string description;            ///< "name=value; name=value"
+    DisplayTiming timing;               ///< as tested before the sitting
+    Monotonic refresh{};                ///< of a screen that keeps time; 0 where none is known
+    std::vector<PageView> setting_up{}; ///< pages for the experimenter, before all others
 };
 
 class Screen {

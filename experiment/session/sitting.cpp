@@ -1,8 +1,8 @@
 // The state machine of a sitting.
 #include "experiment/session/sitting.h"
 
-#include "experiment/session/pages.h"
 #include "protocols/contract.h"
+#include "protocols/session_length.h"
 
 #include <fmt/format.h>
 
@@ -25,36 +25,33 @@ struct Match : Cases... {
 template <class... Cases>
 Match(Cases...) -> Match<Cases...>;
 
-bool is_answer(Key key) {
-    return key == Key::Left || key == Key::Right;
-}
-
-std::string name_of(Device device) {
-    return device == Device::Keyboard ? "keyboard"
-           : device == Device::Mouse  ? "mouse"
-                                      : "simulated";
-}
-
 long long in_ms(Monotonic duration) {
     return duration_cast<milliseconds>(duration).count();
+}
+
+// One refresh later than due is as soon as a screen can; a fifth more is the clocks' doubt.
+int refreshes_missed(const store::Frame& frame, Monotonic refresh) {
+    const auto delay = frame.done_ns - frame.due_ns;
+    return refresh.count() <= 0 || delay * 5 <= refresh.count() * 6
+               ? 0
+               : static_cast<int>(delay / refresh.count());
 }
 
 } // namespace
 
 Sitting::Sitting(SittingScript script, Progress progress)
     : script_(std::move(script)), progress_(std::move(progress)) {
-    const auto& pages = script_.instructions;
-    for (std::size_t i = 0; i < pages.size(); ++i)
-        steps_.emplace_back(PageStep{fmt::format("instructions {} of {}", i + 1, pages.size()),
-                                     instruction_page(pages[i]), least_reading});
-    const auto add_trials = [&](Phase phase) {
-        for (const auto& planned : script_.trials)
-            if (planned.phase == phase && !progress_.voted.contains(planned.number))
-                steps_.emplace_back(planned);
-    };
-    if (!progress_.training_done)
+    add_pages();
+    if (!progress_.training_done) {
+        training_step_ = steps_.size();
         add_trials(Phase::Training);
-    steps_.emplace_back(PageStep{"questions", question_page(script_.question), {}});
+        if (*training_step_ == steps_.size())
+            training_step_.reset();
+    }
+    steps_.emplace_back(
+        PageStep{"questions",
+                 question_page(script_.style, script_.question, training_step_.has_value()),
+                 {}});
     steps_.emplace_back(AdaptationStep{});
     add_trials(Phase::WarmUp);
     const auto before_main = steps_.size();
@@ -63,46 +60,89 @@ Sitting::Sitting(SittingScript script, Progress progress)
     if (steps_.size() == before_main)
         steps_.clear();
     steps_.emplace_back(FinishStep{});
-    steps_.emplace_back(PageStep{"thanks", thanks_page(), {}});
+    steps_.emplace_back(PageStep{"thanks", thanks_page(script_.style), {}});
+}
+
+void Sitting::add_pages() {
+    for (const auto& page : script_.setting_up)
+        steps_.emplace_back(PageStep{page.patches.empty() ? "display" : "contrast", page, {}});
+    const auto& pages = script_.instructions;
+    for (std::size_t i = 0; i < pages.size(); ++i)
+        steps_.emplace_back(PageStep{fmt::format("instructions {} of {}", i + 1, pages.size()),
+                                     instruction_page(script_.style, pages[i]), least_reading});
+}
+
+void Sitting::add_trials(Phase phase) {
+    for (const auto& planned : script_.trials)
+        if (planned.phase == phase && !progress_.voted.contains(planned.number))
+            steps_.emplace_back(planned);
 }
 
 std::vector<Effect> Sitting::begin(Monotonic at) {
     EXPECTS(view_number_ == 0);
+    begun_ = at;
     enter(at);
     return std::exchange(effects_, {});
 }
 
 std::vector<Effect> Sitting::advance(const Input& input) {
     EXPECTS(state_ != State::Over);
+    // Whatever happens in the moment in which another answer could contradict the first one waits
+    // until the vote is stored; only such an answer, and a picture's appearance, does not.
+    const bool waits = state_ == State::Trial && course_->is_deciding() &&
+                       !std::holds_alternative<Waited>(input.what) &&
+                       !std::holds_alternative<OnsetSeen>(input.what) &&
+                       !std::holds_alternative<LetGo>(input.what);
+    const auto* pressed = std::get_if<Pressed>(&input.what);
+    if (waits &&
+        (pressed == nullptr || pressed->key == Key::Escape || course_->is_settled(input.at))) {
+        deferred_ = input;
+        settle(input.at);
+    } else {
+        handle(input);
+    }
+    return std::exchange(effects_, {});
+}
+
+void Sitting::handle(const Input& input) {
     const auto at = input.at;
     std::visit(Match{[&](const Pressed& pressed) { press(pressed, at); },
                      [&](const LetGo& let_go) { down_.erase(let_go.key); },
-                     [&](const OnsetSeen& seen) { onset(seen, at); },
-                     [&](const VoteStored&) {
-                         EXPECTS(state_ == State::Saving);
-                         next(answered_);
+                     [&](const OnsetSeen& seen) {
+                         if (state_ != State::Trial)
+                             return;
+                         if (auto shown = course_->seen(seen, at, down_))
+                             effects_.emplace_back(std::move(*shown));
                      },
+                     [&](const VoteStored&) { vote_stored(at); },
                      [&](const Waited&) { time_passed(at); },
                      [&](const FocusLost&) {
                          down_.clear(); // keys let go elsewhere are not reported
-                         if (in_trial() || state_ == State::Adapting)
-                             interrupt(State::Paused, paused_page(), "paused", at);
+                         if (state_ == State::Trial || state_ == State::Adapting)
+                             pause(PauseReason::WindowLeft, "", at);
+                     },
+                     [&](const DisplayChanged& changed) {
+                         note("display_changed", changed.what, at);
+                         if (state_ == State::Trial || state_ == State::Adapting)
+                             pause(PauseReason::ScreenChanged, changed.what, at);
                      },
                      [&](const CloseAsked&) {
                          press({Key::Escape, Device::Mouse}, at);
                      }},
                input.what);
-    return std::exchange(effects_, {});
 }
 
 std::optional<Monotonic> Sitting::wake_at() const {
-    if (state_ == State::Grey || state_ == State::Adapting)
+    if (state_ == State::Trial)
+        return course_->wake_at();
+    if (state_ == State::Adapting)
         return until_;
     return std::nullopt;
 }
 
 std::optional<PairView> Sitting::upcoming() const {
-    const bool on_screen = state_ == State::Pair || state_ == State::Saving;
+    const bool on_screen =
+        state_ == State::Saving || (state_ == State::Trial && course_->was_seen());
     for (auto i = step_ + (on_screen ? 1 : 0); i < steps_.size(); ++i)
         if (const auto* planned = std::get_if<PlannedTrial>(&steps_[i]))
             return PairView{planned->number, planned->trial};
@@ -131,13 +171,7 @@ void Sitting::enter(Monotonic at) {
                          until_ = at + std::chrono::seconds(script_.plan.adapt_s);
                          see(GreyView{});
                      },
-                     [&](const PlannedTrial& planned) {
-                         if (!break_is_due(planned, at))
-                             return start_grey(at);
-                         state_ = State::Break;
-                         since_ = at;
-                         see(break_page());
-                     },
+                     [&](const PlannedTrial& planned) { enter_trial(planned, at); },
                      [&](const FinishStep&) {
                          effects_.emplace_back(Finish{});
                          next(at);
@@ -145,16 +179,118 @@ void Sitting::enter(Monotonic at) {
                steps_[step_]);
 }
 
-void Sitting::start_grey(Monotonic at) {
-    state_ = State::Grey;
+void Sitting::enter_trial(const PlannedTrial& planned, Monotonic at) {
+    if (planned.phase != Phase::Main)
+        return start_trial(at);
+    if (limit_is_reached(at)) {
+        state_ = State::Limit;
+        note("limit_reached", fmt::format("{} ms", in_ms(at - begun_)), at);
+    } else if (break_is_due(at)) {
+        state_ = State::Break;
+    } else {
+        return start_trial(at);
+    }
     since_ = at;
-    until_ = at + milliseconds(script_.plan.grey_ms);
-    shown_.reset();
-    early_keys_ = 0;
-    held_key_ = false;
-    if (trial().phase == Phase::Main && !stretch_since_)
-        stretch_since_ = at;
+    see(state_ == State::Limit ? limit_page(script_.style) : break_page(script_.style));
+}
+
+void Sitting::start_trial(Monotonic at) {
+    state_ = State::Trial;
+    const auto number = trial().number;
+    course_.emplace(script_.plan, trial(), progress_.presentations[number] + 1, script_.lead, at);
+    course_changes_ = 0;
+    if (trial().phase == Phase::Main) {
+        stretch_since_ = stretch_since_.value_or(at);
+        main_since_ = main_since_.value_or(at);
+    }
+    see(course_->view());
+}
+
+// What the course of the trial has come to.
+void Sitting::follow_trial(Monotonic at) {
+    if (course_->is_ambiguous())
+        return ask_again_later(at);
+    if (course_->is_settled(at))
+        return settle(at);
+    if (course_->changes() != course_changes_) {
+        course_changes_ = course_->changes();
+        see(course_->view());
+    }
+}
+
+std::vector<store::Frame> Sitting::frames_so_far() const {
+    auto frames = course_->frames();
+    if (stored_)
+        frames.insert(frames.begin(), *stored_);
+    for (auto& frame : frames)
+        if (frame.what != "stored")
+            frame.late = refreshes_missed(frame, script_.refresh);
+    return frames;
+}
+
+// The screen's times are kept of every presentation; those of a vote go with it.
+void Sitting::leave_trial() {
+    auto frames = frames_so_far();
+    stored_.reset();
+    if (course_->was_seen()) {
+        progress_.presentations[trial().number] = course_->presentation();
+        effects_.emplace_back(
+            store::FramesSeen{trial().number, course_->presentation(), std::move(frames)});
+    }
+}
+
+void Sitting::settle(Monotonic at) {
+    if (trial().phase != Phase::Main) { // the answer is not kept
+        leave_trial();
+        next(at);
+        if (deferred_)
+            handle(*std::exchange(deferred_, {}));
+        return;
+    }
+    auto vote = course_->vote();
+    vote.frames = frames_so_far();
+    stored_ = store::Frame{"stored", vote.key_ns, 0};
+    progress_.presentations[trial().number] = course_->presentation();
+    effects_.emplace_back(std::move(vote));
+    ++main_since_break_;
+    ++answered_;
+    state_ = State::Saving;
     see(GreyView{});
+}
+
+void Sitting::vote_stored(Monotonic at) {
+    EXPECTS(state_ == State::Saving);
+    stored_->done_ns = at.count();
+    next(at);
+    if (deferred_)
+        handle(*std::exchange(deferred_, {}));
+}
+
+// Behind the next trial at least, and where it stands between other scenes if there is such a
+// place.
+void Sitting::ask_again_later(Monotonic at) {
+    note("ambiguous", fmt::format("trial {}: two answers at once", trial().number), at);
+    leave_trial();
+    const auto again = trial();
+    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(step_));
+    const auto scene_at = [&](std::size_t i) -> const protocols::SceneId* {
+        const auto* planned = i < steps_.size() ? std::get_if<PlannedTrial>(&steps_[i]) : nullptr;
+        return planned != nullptr && planned->phase == again.phase ? &planned->trial.scene
+                                                                   : nullptr;
+    };
+    auto place = step_;
+    while (scene_at(place) != nullptr)
+        ++place; // behind the last of its kind
+    const auto is_own = [&](const protocols::SceneId* scene) {
+        return scene != nullptr && *scene == again.trial.scene;
+    };
+    for (auto i = step_ + 1; i < place; ++i)
+        if (!is_own(scene_at(i - 1)) && !is_own(scene_at(i))) {
+            place = i;
+            break;
+        }
+    steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(place), again);
+    enter(at);
 }
 
 void Sitting::press(const Pressed& press, Monotonic at) {
@@ -167,32 +303,38 @@ void Sitting::press(const Pressed& press, Monotonic at) {
     if (press.key == Key::Escape && state_ != State::Saving) {
         if (step_ + 1 == steps_.size())
             return press_on_page(Key::Forward, at); // there is nothing left to stop
-        return interrupt(State::Doubt, stop_page(), "stop_asked", at);
+        return interrupt(State::Doubt, stop_page(script_.style), "stop_asked", at);
     }
-    if (state_ == State::Pair)
-        return answer(press, at);
-    if (state_ == State::Grey || state_ == State::Saving)
-        early_keys_ += is_answer(press.key) ? 1 : 0;
-    else
-        press_on_page(press.key, at);
+    if (state_ == State::Trial) {
+        course_->press(press, at);
+        return follow_trial(at);
+    }
+    press_on_page(press.key, at);
 }
 
 void Sitting::press_on_page(Key key, Monotonic at) {
     const auto* page = std::get_if<PageView>(&view_);
-    if (page == nullptr || key != page->advance)
+    if (page == nullptr)
+        return;
+    const bool at_questions = state_ == State::Page && page->advance == Key::Release;
+    if (key == Key::Again && at_questions && training_step_ && *training_step_ < step_) {
+        note("training_again", "", at);
+        step_ = *training_step_;
+        return enter(at);
+    }
+    if (key != page->advance)
         return;
     if (state_ == State::Paused) {
         note("continued", "", at);
         return go_on(at);
     }
-    if (state_ == State::Break) {
-        if (at - since_ < least_break)
-            return;
-        note("break", fmt::format("{} ms", in_ms(at - since_)), at);
-        main_since_break_ = 0;
-        stretch_since_.reset();
-        return start_grey(at);
+    if (state_ == State::Limit) {
+        note("limit_passed", "", at);
+        limit_waived_ = true;
+        return enter(at);
     }
+    if (state_ == State::Break)
+        return end_break(at);
     const auto& step = std::get<PageStep>(steps_[step_]);
     if (at - since_ < step.least)
         return;
@@ -202,6 +344,15 @@ void Sitting::press_on_page(Key key, Monotonic at) {
     }
     note("page", fmt::format("{}: {} ms", step.name, in_ms(at - since_)), at);
     next(at);
+}
+
+void Sitting::end_break(Monotonic at) {
+    if (at - since_ < least_break)
+        return;
+    note("break", fmt::format("{} ms", in_ms(at - since_)), at);
+    main_since_break_ = 0;
+    stretch_since_.reset();
+    start_trial(at);
 }
 
 void Sitting::press_in_doubt(Key key, Monotonic at) {
@@ -217,54 +368,27 @@ void Sitting::press_in_doubt(Key key, Monotonic at) {
     }
 }
 
-void Sitting::onset(const OnsetSeen& seen, Monotonic at) {
-    EXPECTS(state_ == State::Pair && !shown_);
-    const auto number = trial().number;
-    shown_ = store::Shown{number,
-                          ++progress_.presentations[number],
-                          at.count(),
-                          seen.source,
-                          "",
-                          since_.count(),
-                          (at - until_).count()};
-    held_key_ = down_.contains(Key::Left) || down_.contains(Key::Right);
-    effects_.emplace_back(*shown_);
-}
-
-void Sitting::answer(const Pressed& press, Monotonic at) {
-    if (!is_answer(press.key))
-        return;
-    const auto onset = shown_ ? Monotonic(shown_->onset_ns) : at;
-    if (!shown_ || at - onset < milliseconds(script_.plan.closed_ms)) {
-        ++early_keys_;
-        return;
-    }
-    answered_ = at;
-    if (trial().phase != Phase::Main)
-        return next(at); // the answer is not kept
-    const bool left = press.key == Key::Left;
-    effects_.emplace_back(
-        store::MainVote{trial().number, left ? protocols::Choice::Left : protocols::Choice::Right,
-                        std::chrono::round<milliseconds>(at - onset), onset.count(), at.count(), "",
-                        name_of(press.device), left ? "left" : "right", early_keys_, held_key_});
-    ++main_since_break_;
-    state_ = State::Saving;
-    see(GreyView{});
-}
-
 void Sitting::time_passed(Monotonic at) {
-    if (!wake_at() || at < until_)
+    if (!wake_at() || at < *wake_at())
         return;
     if (state_ == State::Adapting) {
         note("adaptation", fmt::format("{} ms", in_ms(at - since_)), at);
         return next(at);
     }
-    state_ = State::Pair;
-    see(PairView{trial().number, trial().trial});
+    course_->time_passed(at);
+    follow_trial(at);
+}
+
+void Sitting::pause(PauseReason reason, const std::string& detail, Monotonic at) {
+    interrupt(State::Paused, paused_page(script_.style, reason),
+              detail.empty() ? "paused" : "paused_by_display", at);
 }
 
 void Sitting::interrupt(State state, PageView page, const std::string& why, Monotonic at) {
-    note(why, in_trial() ? fmt::format("trial {}", trial().number) : "", at);
+    const bool in_trial = state_ == State::Trial;
+    note(why, in_trial ? fmt::format("trial {}", trial().number) : "", at);
+    if (in_trial)
+        leave_trial();
     // Doubt during a pause leads back to the pause.
     interrupted_ = state_;
     interrupted_view_ = view_;
@@ -275,8 +399,7 @@ void Sitting::interrupt(State state, PageView page, const std::string& why, Mono
 }
 
 void Sitting::go_on(Monotonic at) {
-    const bool from_grey = interrupted_ == State::Grey || interrupted_ == State::Pair;
-    if (state_ == State::Paused || from_grey)
+    if (state_ == State::Paused || interrupted_ == State::Trial)
         return enter(at); // the pair again, or the adaptation
     state_ = interrupted_;
     since_ = page_since_;
@@ -287,19 +410,45 @@ void Sitting::note(std::string kind, std::string detail, Monotonic at) {
     effects_.emplace_back(store::SittingEvent{std::move(kind), std::move(detail), at.count(), ""});
 }
 
-bool Sitting::break_is_due(const PlannedTrial& planned, Monotonic at) const {
-    if (planned.phase != Phase::Main || script_.plan.break_every == 0 || main_since_break_ == 0)
+bool Sitting::break_is_due(Monotonic at) const {
+    if (script_.plan.break_every == 0 || main_since_break_ == 0)
         return false;
     return main_since_break_ >= script_.plan.break_every ||
            (stretch_since_ && at - *stretch_since_ >= longest_stretch);
 }
 
-bool Sitting::in_trial() const {
-    return state_ == State::Grey || state_ == State::Pair;
+bool Sitting::limit_is_reached(Monotonic at) const {
+    return script_.plan.longest_minutes > 0 && !limit_waived_ &&
+           at - begun_ >= std::chrono::minutes(script_.plan.longest_minutes);
 }
 
 const PlannedTrial& Sitting::trial() const {
     return std::get<PlannedTrial>(steps_[step_]);
+}
+
+Standing Sitting::standing(Monotonic at) const {
+    Standing standing;
+    int others = 0; // trials to come that are not main ones
+    for (auto i = step_; i < steps_.size(); ++i)
+        if (const auto* planned = std::get_if<PlannedTrial>(&steps_[i]))
+            ++(planned->phase == Phase::Main ? standing.main : others);
+    if (state_ == State::Saving)
+        --standing.main;
+    const auto remaining = standing.main;
+    standing.answered = answered_ + static_cast<int>(progress_.voted.size());
+    standing.main += standing.answered;
+    auto pace = duration_cast<Monotonic>(protocols::planned_pair_time);
+    if (answered_ >= 3) // enough to say how fast this observer is
+        pace = (at - *main_since_) / answered_;
+    standing.left = duration_cast<std::chrono::seconds>(pace * (remaining + others));
+    static constexpr const char* states[] = {
+        "page", "adaptation", "trial", "trial", "break", "limit", "paused", "asks to stop", "over"};
+    standing.doing = states[static_cast<std::size_t>(state_)];
+    if (state_ == State::Page)
+        standing.doing = std::get<PageStep>(steps_[step_]).name;
+    else if (state_ == State::Trial || state_ == State::Saving)
+        standing.doing = trial().phase == Phase::Training ? "training" : "main trials";
+    return standing;
 }
 
 } // namespace experiment::session

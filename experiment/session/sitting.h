@@ -3,6 +3,8 @@
 #pragma once
 
 #include "experiment/session/inputs.h"
+#include "experiment/session/pages.h"
+#include "experiment/session/trial_course.h"
 #include "experiment/session/views.h"
 #include "experiment/store/records.h"
 #include "protocols/schedule.h"
@@ -22,6 +24,18 @@ struct SittingScript {
     std::string question;
     protocols::SessionPlan plan;
     std::vector<protocols::PlannedTrial> trials; ///< training, warm-ups, main
+    PageStyle style{};                           ///< of the built-in pages
+    std::vector<PageView> setting_up{};          ///< the experimenter's pages, before all others
+    Monotonic refresh{};                         ///< of the screen; 0: not known
+    Monotonic lead{}; ///< a picture is asked for so long before it is due
+};
+
+/// How far a sitting has come, for the experimenter.
+struct Standing {
+    std::string doing; ///< "instructions 1 of 5", "training", "main", "break", "paused", ...
+    int answered = 0;  ///< main trials with an answer
+    int main = 0;      ///< all of them
+    std::chrono::seconds left{}; ///< until the end, by the pace so far
 };
 
 /// What was done in an earlier part of the same sitting.
@@ -38,13 +52,16 @@ struct Finish {
 
 /// What has to be recorded, in order and before the next input.  Wall-clock times are left empty.
 /// A MainVote wants the input VoteStored in return, and nothing else before it.
-using Effect = std::variant<store::Shown, store::MainVote, store::SittingEvent, Finish>;
+using Effect =
+    std::variant<store::Shown, store::FramesSeen, store::MainVote, store::SittingEvent, Finish>;
 
-/// Pages -> training -> questions -> adaptation -> warm-ups -> main, with breaks -> thanks.
+/// Pages -> training, again and again until the observer is ready -> questions -> adaptation ->
+/// warm-ups -> main, with breaks -> thanks.
 ///
-/// Before every pair there is grey; answers count when they come `closed_ms` after the onset or
-/// later.  Escape, or closing the window, asks whether to stop; a pair that was interrupted by that
-/// or by a loss of the keyboard is shown again.  The view becomes EndView when all is over.
+/// What happens within a trial is TrialCourse's.  Escape, or closing the window, asks whether to
+/// stop; a pair that was interrupted by that, by a loss of the keyboard or by a change of the
+/// screen is shown again, and one with two answers at once comes again later.  After
+/// `longest_minutes` the experimenter decides.  The view becomes EndView when all is over.
 class Sitting {
   public:
     static constexpr std::chrono::seconds least_reading{2};      ///< of a page of instructions
@@ -71,8 +88,10 @@ class Sitting {
     /// The pair that will be shown next, to make it ready.
     std::optional<PairView> upcoming() const;
 
+    Standing standing(Monotonic at) const;
+
   private:
-    enum class State { Page, Adapting, Grey, Pair, Saving, Break, Paused, Doubt, Over };
+    enum class State { Page, Adapting, Trial, Saving, Break, Limit, Paused, Doubt, Over };
 
     struct PageStep {
         std::string name; ///< for the record
@@ -86,43 +105,58 @@ class Sitting {
 
     using Step = std::variant<PageStep, AdaptationStep, protocols::PlannedTrial, FinishStep>;
 
+    void add_pages();
+    void add_trials(protocols::Phase phase);
     void see(View view);
     void enter(Monotonic at);
+    void enter_trial(const protocols::PlannedTrial& planned, Monotonic at);
     void next(Monotonic at);
-    void start_grey(Monotonic at);
+    void start_trial(Monotonic at);
+    void follow_trial(Monotonic at);
+    void settle(Monotonic at);
+    void leave_trial();
+    void ask_again_later(Monotonic at);
+    void handle(const Input& input);
     void press(const Pressed& press, Monotonic at);
     void press_on_page(Key key, Monotonic at);
+    void end_break(Monotonic at);
     void press_in_doubt(Key key, Monotonic at);
-    void onset(const OnsetSeen& seen, Monotonic at);
-    void answer(const Pressed& press, Monotonic at);
+    void vote_stored(Monotonic at);
     void time_passed(Monotonic at);
     void interrupt(State state, PageView page, const std::string& why, Monotonic at);
+    void pause(PauseReason reason, const std::string& detail, Monotonic at);
     void go_on(Monotonic at);
     void note(std::string kind, std::string detail, Monotonic at);
-    bool break_is_due(const protocols::PlannedTrial& planned, Monotonic at) const;
-    bool in_trial() const;
+    bool break_is_due(Monotonic at) const;
+    bool limit_is_reached(Monotonic at) const;
     const protocols::PlannedTrial& trial() const;
+    std::vector<store::Frame> frames_so_far() const;
 
     SittingScript script_;
     Progress progress_;
     std::vector<Step> steps_;
     std::size_t step_ = 0;
+    std::optional<std::size_t> training_step_; ///< where the training begins
     State state_ = State::Over;
     State interrupted_ = State::Over; ///< where Doubt came from
     View view_ = GreyView{};
     View interrupted_view_ = GreyView{};
     int view_number_ = 0;
     std::vector<Effect> effects_;
+    std::optional<Input> deferred_; ///< came while an answer waited to be settled
 
-    Monotonic since_{};                 ///< beginning of the page, the doubt or the grey
-    Monotonic page_since_{};            ///< of the page that was interrupted by doubt
-    Monotonic until_{};                 ///< end of the grey or the adaptation
-    std::optional<store::Shown> shown_; ///< the pair that is on the screen
-    Monotonic answered_{};
-    int early_keys_ = 0;
-    bool held_key_ = false;
+    Monotonic begun_{};                  ///< the sitting, or this part of it
+    Monotonic since_{};                  ///< beginning of the page, the doubt or the adaptation
+    Monotonic page_since_{};             ///< of the page that was interrupted by doubt
+    Monotonic until_{};                  ///< end of the adaptation
+    std::optional<TrialCourse> course_;  ///< of the trial at hand
+    int course_changes_ = 0;             ///< of its view, seen so far
+    std::optional<store::Frame> stored_; ///< the vote before, on its way to the disk
+    bool limit_waived_ = false;
     std::set<Key> down_;
+    int answered_ = 0; ///< main trials, in this part of the sitting
     int main_since_break_ = 0;
+    std::optional<Monotonic> main_since_;    ///< beginning of the main trials
     std::optional<Monotonic> stretch_since_; ///< beginning of main trials without a break
 };
 

@@ -2,6 +2,7 @@
 #include "experiment/session/window.h"
 
 #include "experiment/session/glfw.h"
+#include "experiment/session/glfw_keys.h"
 #include "experiment/session/page_drawing.h"
 #include "experiment/session/pair_layout.h"
 #include "renderer/gpu/context.h"
@@ -9,7 +10,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <deque>
+#include <map>
 #include <span>
 
 namespace experiment::session {
@@ -20,25 +24,6 @@ using renderer::gpu::PixelCanvas;
 
 // How often events are looked for: the resolution of response times.
 constexpr double poll_seconds = 0.001;
-
-Key key_of(int glfw_key) {
-    switch (glfw_key) {
-    case GLFW_KEY_LEFT:
-        return Key::Left;
-    case GLFW_KEY_RIGHT:
-        return Key::Right;
-    case GLFW_KEY_SPACE:
-    case GLFW_KEY_ENTER:
-    case GLFW_KEY_KP_ENTER:
-        return Key::Forward;
-    case GLFW_KEY_F9:
-        return Key::Release;
-    case GLFW_KEY_ESCAPE:
-        return Key::Escape;
-    default:
-        return Key::Other;
-    }
-}
 
 Expected<GLFWmonitor*> chosen_monitor(int number) {
     int count = 0;
@@ -77,7 +62,31 @@ Expected<WindowHandle> create_window(const WindowOptions& options, GLFWmonitor* 
     return window;
 }
 
-class Window final : public Screen {
+Places places_of(const WindowOptions& options) {
+    const bool side_by_side = options.presentation == protocols::Presentation::SideBySide;
+    if (options.reference)
+        return side_by_side ? Places::Three : Places::OneAndReference;
+    return side_by_side ? Places::Two : Places::One;
+}
+
+// Mesa's rasterisers draw in memory; nothing they swap waits for a monitor.
+bool is_software(const std::string& renderer) {
+    for (const auto* name : {"llvmpipe", "softpipe", "swrast", "SWR", "Software"})
+        if (renderer.find(name) != std::string::npos)
+            return true;
+    return false;
+}
+
+renderer::gpu::Picture8 solid(int width, int height, const Patch& colour) {
+    renderer::gpu::Picture8 picture{width, height, {}};
+    picture.rgb.reserve(static_cast<std::size_t>(3 * width * height));
+    for (int pixel = 0; pixel < width * height; ++pixel)
+        for (const auto code : {colour.red, colour.green, colour.blue})
+            picture.rgb.push_back(code);
+    return picture;
+}
+
+class Window final : public WindowScreen {
   public:
     Window(std::unique_ptr<Glfw> glfw,
            WindowHandle window,
@@ -90,12 +99,11 @@ class Window final : public Screen {
            const Clock& clock)
         : glfw_(std::move(glfw)), window_(std::move(window)), monitor_(monitor), options_(options),
           canvas_(canvas), layout_(layout), pages_(std::move(pages)),
-          cache_(std::move(load), options.picture_width, options.picture_height), clock_(clock) {
+          cache_(std::move(load), options.picture_width, options.picture_height, options.reference),
+          keys_(glfw_keys(options.keys)), clock_(clock) {
         glfwSetWindowUserPointer(window_.get(), this);
-        glfwSetKeyCallback(window_.get(),
-                           [](GLFWwindow* event_window, int key, int, int action, int) {
-                               self(event_window).on_key(key_of(key), action);
-                           });
+        glfwSetKeyCallback(window_.get(), [](GLFWwindow* event_window, int key, int, int action,
+                                             int) { self(event_window).on_key(key, action); });
         glfwSetMouseButtonCallback(window_.get(),
                                    [](GLFWwindow* event_window, int button, int action, int) {
                                        if (button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS)
@@ -111,24 +119,65 @@ class Window final : public Screen {
         });
         glfwSetWindowRefreshCallback(
             window_.get(), [](GLFWwindow* event_window) { self(event_window).damaged_ = true; });
+        glfwSetFramebufferSizeCallback(window_.get(),
+                                       [](GLFWwindow* event_window, int width, int height) {
+                                           self(event_window).on_size(width, height);
+                                       });
+        glfwSetMonitorUserPointer(monitor_, this);
+        glfwSetMonitorCallback([](GLFWmonitor* changed, int event) {
+            auto* screen = static_cast<Window*>(glfwGetMonitorUserPointer(changed));
+            if (screen != nullptr && event == GLFW_DISCONNECTED)
+                screen->on_monitor_gone();
+        });
         check_pixels();
+        if (options_.test_swaps > 0)
+            test_ = judge_swaps(time_swaps(options_.test_swaps), nominal_hz());
     }
 
+    ~Window() override { glfwSetMonitorCallback(nullptr); }
+
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
     DisplayFacts facts() const override {
-        const auto* mode = glfwGetVideoMode(monitor_);
-        const auto* name = glfwGetMonitorName(monitor_);
-        return {
-            fmt::format(
-                "screen={}; monitor={}; monitor_resolution={}x{}; resolution={}x{}; "
-                "refresh_hz={}; colour_bits={}/{}/{}; surround_code={}; surround_read_back={}; "
-                "picture_read_back={}; drawn_by={}",
-                options_.size ? "window" : "full", name ? name : "unnamed", mode ? mode->width : 0,
-                mode ? mode->height : 0, canvas_.width(), canvas_.height(),
-                mode && mode->refreshRate > 0 ? std::to_string(mode->refreshRate) : "not reported",
-                mode ? mode->redBits : 0, mode ? mode->greenBits : 0, mode ? mode->blueBits : 0,
-                options_.surround, surround_exact_ ? "exact" : "changed",
-                picture_exact_ ? "exact" : "changed", renderer::gpu::description()),
-            "U"}; // the display's timing has not been tested
+        DisplayFacts facts;
+        facts.description = description();
+        facts.timing = {test_ ? test_->verdict : SwapVerdict::Unstable,
+                        is_software(renderer::gpu::description()) ? DisplayKind::Virtual
+                        : options_.size                           ? DisplayKind::Windowed
+                                                                  : DisplayKind::FullScreen};
+        if (facts.timing.verdict == SwapVerdict::Synced && nominal_hz() > 0)
+            facts.refresh = Monotonic(std::llround(1e9 / nominal_hz()));
+        if (options_.setting_up)
+            facts.setting_up = {display_page(options_.style, facts.description),
+                                contrast_page(options_.style)};
+        return facts;
+    }
+
+    renderer::gpu::Picture8 photograph() override {
+        [[maybe_unused]] const auto drawn = draw();
+        return canvas_.read(0, 0, canvas_.width(), canvas_.height());
+    }
+
+    double nominal_hz() const override {
+        const auto* mode = monitor_ != nullptr ? glfwGetVideoMode(monitor_) : nullptr;
+        return mode != nullptr ? mode->refreshRate : 0;
+    }
+
+    std::vector<Monotonic> time_swaps(int swaps) override {
+        std::vector<Monotonic> intervals;
+        auto last = Monotonic{};
+        for (int i = 0; i <= swaps; ++i) {
+            // Two greys that nobody tells apart.
+            canvas_.clear(static_cast<std::uint8_t>(options_.surround ^ (i % 2)));
+            glfwSwapBuffers(window_.get());
+            canvas_.finish();
+            const auto now = clock_.now();
+            if (i > 0)
+                intervals.push_back(now - last);
+            last = now;
+        }
+        return intervals;
     }
 
     void prepare(const PairView& pair) override { cache_.prepare(pair); }
@@ -168,6 +217,57 @@ class Window final : public Screen {
     }
 
   private:
+    std::string description() const {
+        const auto* mode = monitor_ != nullptr ? glfwGetVideoMode(monitor_) : nullptr;
+        const auto* name = monitor_ != nullptr ? glfwGetMonitorName(monitor_) : nullptr;
+        auto text = fmt::format(
+            "screen={}; monitor={}; monitor_resolution={}x{}; resolution={}x{}; "
+            "refresh_hz={}; colour_bits={}/{}/{}; surround_code={}; surround_read_back={}; "
+            "picture_read_back={}; drawn_by={}",
+            options_.size ? "window" : "full", name ? name : "unnamed", mode ? mode->width : 0,
+            mode ? mode->height : 0, canvas_.width(), canvas_.height(),
+            mode && mode->refreshRate > 0 ? std::to_string(mode->refreshRate) : "not reported",
+            mode ? mode->redBits : 0, mode ? mode->greenBits : 0, mode ? mode->blueBits : 0,
+            options_.surround, surround_exact_ ? "exact" : "changed",
+            picture_exact_ ? "exact" : "changed", renderer::gpu::description());
+        const auto& display = options_.display;
+        if (mode && mode->width > 0 && display.screen_width_mm > 0) {
+            const double pitch = display.screen_width_mm / mode->width;
+            text += fmt::format("; pixel_pitch_mm={:.4f}", pitch);
+            if (display.distance_mm > 0)
+                text +=
+                    fmt::format("; distance_mm={}; distance_in_heights={:.2f}; "
+                                "pixels_per_degree={:.1f}",
+                                display.distance_mm, display.distance_mm / (pitch * mode->height),
+                                protocols::pixels_per_degree(display.distance_mm, pitch));
+        }
+        text += fmt::format("; eotf={}; surround_luminance={:.4f} of white", name_of(display.eotf),
+                            relative_luminance(display.eotf, options_.surround));
+        if (display.photodiode_px > 0)
+            text += fmt::format("; photodiode_px={}", display.photodiode_px);
+        if (test_)
+            text += "; swaps=" + text_of(*test_);
+        return text;
+    }
+
+    void on_size(int width, int height) {
+        if (width <= 0 || height <= 0 || (width == canvas_.width() && height == canvas_.height()))
+            return;
+        happened(DisplayChanged{fmt::format("the window has {} x {} pixels, it had {} x {}", width,
+                                            height, canvas_.width(), canvas_.height())});
+        canvas_ = PixelCanvas(width, height);
+        pages_->resize(width, height);
+        // Where the pictures no longer fit, the next pair says so, and the sitting ends.
+        layout_ = lay_out_pair(width, height, options_.picture_width, options_.picture_height,
+                               options_.gap, places_of(options_));
+        damaged_ = true;
+    }
+
+    void on_monitor_gone() {
+        monitor_ = nullptr;
+        happened(DisplayChanged{"the monitor is gone"});
+    }
+
     // Draws what a sitting draws, once, and looks at what came of it.  A driver's first drawing of
     // a kind can take a tenth of a second, which would make the first onset late.
     void check_pixels() {
@@ -175,16 +275,16 @@ class Window final : public Screen {
         const auto surround = canvas_.read(0, 0, canvas_.width(), canvas_.height());
         surround_exact_ = std::ranges::all_of(
             surround.rgb, [&](std::uint8_t code) { return code == options_.surround; });
-        renderer::gpu::Picture8 codes{layout_.width, layout_.height, {}};
+        renderer::gpu::Picture8 codes{layout_->width, layout_->height, {}};
         for (int pixel = 0; pixel < codes.width * codes.height; ++pixel)
             for (const int value : {pixel, 255 - pixel, pixel ^ 0x55})
                 codes.rgb.push_back(static_cast<std::uint8_t>(value & 0xff));
         const renderer::gpu::UploadedPicture uploaded(codes);
         picture_exact_ = true;
-        for (const int left : {layout_.left_x, layout_.right_x}) {
-            canvas_.draw(uploaded, left, layout_.top);
+        for (const int left : {layout_->left_x, layout_->right_x}) {
+            canvas_.draw(uploaded, left, layout_->top);
             picture_exact_ = picture_exact_ &&
-                             canvas_.read(left, layout_.top, codes.width, codes.height) == codes;
+                             canvas_.read(left, layout_->top, codes.width, codes.height) == codes;
         }
     }
 
@@ -198,7 +298,9 @@ class Window final : public Screen {
         inputs_.push_back({now, std::move(what)});
     }
 
-    void on_key(Key key, int action) {
+    void on_key(int glfw_key, int action) {
+        const auto found = keys_.find(glfw_key);
+        const auto key = found == keys_.end() ? Key::Other : found->second;
         if (action == GLFW_RELEASE)
             happened(LetGo{key});
         else
@@ -211,34 +313,75 @@ class Window final : public Screen {
         int width = 0, height = 0;
         glfwGetCursorPos(window_.get(), &x, &y);
         glfwGetWindowSize(window_.get(), &width, &height);
-        if (width <= 0 || height <= 0)
+        if (width <= 0 || height <= 0 || !layout_)
             return;
         // Where a desktop scales windows, the cursor is not counted in pixels.
         x *= static_cast<double>(canvas_.width()) / width;
         y *= static_cast<double>(canvas_.height()) / height;
         const auto inside = [&](int left) {
-            return x >= left && x < left + layout_.width && y >= layout_.top &&
-                   y < layout_.top + layout_.height;
+            return x >= left && x < left + layout_->width && y >= layout_->top &&
+                   y < layout_->top + layout_->height;
         };
-        if (inside(layout_.left_x))
+        if (layout_->left_x == layout_->right_x)
+            return; // one place: a click does not say which picture
+        if (inside(layout_->left_x))
             inputs_.push_back({now, Pressed{Key::Left, Device::Mouse}});
-        else if (inside(layout_.right_x))
+        else if (inside(layout_->right_x))
             inputs_.push_back({now, Pressed{Key::Right, Device::Mouse}});
     }
 
     // Draws the view to the buffer that is not on the screen.
     Expected<void> draw() {
         canvas_.clear(options_.surround);
-        if (const auto* page = std::get_if<PageView>(&view_))
+        if (const auto* page = std::get_if<PageView>(&view_)) {
+            for (const auto& patch : page->patches)
+                draw_patch(patch);
             return pages_->draw(*page);
-        if (const auto* pair = std::get_if<PairView>(&view_)) {
-            const auto pictures = cache_.get(*pair);
-            if (!pictures)
-                return tl::unexpected(pictures.error());
-            canvas_.draw((*pictures)->left, layout_.left_x, layout_.top);
-            canvas_.draw((*pictures)->right, layout_.right_x, layout_.top);
         }
-        return {};
+        const auto* pair = std::get_if<PairView>(&view_);
+        draw_photodiode_patch(pair != nullptr);
+        return pair != nullptr ? draw_pair(*pair) : Expected<void>{};
+    }
+
+    Expected<void> draw_pair(const PairView& pair) {
+        if (!layout_)
+            return tl::unexpected(layout_.error());
+        const auto pictures = cache_.get(pair);
+        if (!pictures)
+            return tl::unexpected(pictures.error());
+        if (pair.part != Part::Second)
+            canvas_.draw((*pictures)->left, layout_->left_x, layout_->top);
+        if (pair.part != Part::First)
+            canvas_.draw((*pictures)->right, layout_->right_x, layout_->top);
+        if ((*pictures)->reference)
+            canvas_.draw(*(*pictures)->reference, layout_->reference_x, layout_->top);
+        if (pair.part == Part::Both)
+            return {};
+        return pages_->draw_mark(pair.part == Part::First ? "1" : "2",
+                                 layout_->left_x + layout_->width / 2,
+                                 layout_->top + layout_->height);
+    }
+
+    void draw_patch(const Patch& patch) {
+        const auto pixels = [](double share, int size) {
+            return static_cast<int>(std::lround(share * size));
+        };
+        const renderer::gpu::UploadedPicture uploaded(solid(
+            pixels(patch.width, canvas_.width()), pixels(patch.height, canvas_.height()), patch));
+        canvas_.draw(uploaded, pixels(patch.left, canvas_.width()),
+                     pixels(patch.top, canvas_.height()));
+    }
+
+    // White as long as pictures are on the screen, black in the grey between them.
+    void draw_photodiode_patch(bool lit) {
+        const int edge =
+            std::min({options_.display.photodiode_px, canvas_.width(), canvas_.height()});
+        if (edge <= 0)
+            return;
+        const auto code = static_cast<std::uint8_t>(lit ? 255 : 0);
+        const renderer::gpu::UploadedPicture uploaded(
+            solid(edge, edge, {0, 0, 0, 0, code, code, code}));
+        canvas_.draw(uploaded, 0, canvas_.height() - edge);
     }
 
     // Destroyed from the last to the first: textures before the window, the window before GLFW.
@@ -247,12 +390,14 @@ class Window final : public Screen {
     GLFWmonitor* monitor_;
     WindowOptions options_;
     PixelCanvas canvas_;
-    PairLayout layout_;
+    Expected<PairLayout> layout_; ///< or why the pictures do not fit any more
     std::unique_ptr<PageDrawing> pages_;
     PairCache cache_;
+    std::map<int, Key> keys_; ///< by GLFW's codes
     const Clock& clock_;
     bool surround_exact_ = false;
     bool picture_exact_ = false;
+    std::optional<SwapTest> test_;
     View view_ = GreyView{};
     std::deque<Input> inputs_;
     bool damaged_ = false;
@@ -260,7 +405,7 @@ class Window final : public Screen {
 
 } // namespace
 
-Expected<std::unique_ptr<Screen>>
+Expected<std::unique_ptr<WindowScreen>>
 open_window(const WindowOptions& options, LoadPicture load, const Clock& clock) {
     auto glfw =
         Glfw::start("expected a desktop, or --simulate for a simulated observer, who needs none");
@@ -274,11 +419,12 @@ open_window(const WindowOptions& options, LoadPicture load, const Clock& clock) 
         return tl::unexpected(window.error());
     int width = 0, height = 0;
     glfwGetFramebufferSize(window->get(), &width, &height);
-    const auto layout =
-        lay_out_pair(width, height, options.picture_width, options.picture_height, options.gap);
+    const auto layout = lay_out_pair(width, height, options.picture_width, options.picture_height,
+                                     options.gap, places_of(options));
     if (!layout)
         return tl::unexpected(layout.error());
-    auto pages = PageDrawing::create(width, height);
+    auto pages = PageDrawing::create(width, height,
+                                     {options.display.text_scale, options.display.high_contrast});
     if (!pages)
         return tl::unexpected(pages.error());
     auto screen = std::make_unique<Window>(std::move(*glfw), std::move(*window), *monitor, options,

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "experiment/session/clock.h"
+#include "experiment/session/pages.h"
 #include "experiment/session/pair_cache.h"
 #include "experiment/session/screen.h"
 
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace experiment::session {
 
@@ -23,13 +25,31 @@ struct WindowOptions {
     int picture_width = 0;          ///< of each picture
     int picture_height = 0;
     int gap = 32; ///< between the pictures
+    protocols::Presentation presentation{};
+    std::optional<protocols::ConditionId> reference{};
+    protocols::KeyMap keys = protocols::standard_keys();
+    protocols::Display display{};
+    int test_swaps = 0;      ///< of the timing test at the start; 0: none
+    bool setting_up = false; ///< the experimenter's pages come first
+    PageStyle style{};       ///< theirs
 };
 
-/// Opens the window, OpenGL 4.5 core, and shows grey.  Keys: left and right arrow, a click on a
-/// picture, Space or Enter, F9, Escape.  `clock` has to outlive the screen; one screen at a time.
-/// Errors: no display (names DISPLAY and --simulate); no such monitor; an OpenGL below 4.5;
-/// pictures that do not fit; no font.
-Expected<std::unique_ptr<Screen>>
+/// A screen that can be photographed.
+class WindowScreen : public Screen {
+  public:
+    /// The view, drawn once more and read back: what is on the screen.
+    virtual renderer::gpu::Picture8 photograph() = 0;
+
+    /// The times between `swaps` swaps of two greys, one after the other.
+    virtual std::vector<Monotonic> time_swaps(int swaps) = 0;
+
+    virtual double nominal_hz() const = 0;
+};
+
+/// Opens the window, OpenGL 4.5 core, and shows grey.  A click on a picture is its key.  `clock`
+/// has to outlive the screen; one screen at a time. Errors: no display (names DISPLAY and
+/// --simulate); no such monitor; an OpenGL below 4.5; pictures that do not fit; no font.
+Expected<std::unique_ptr<WindowScreen>>
 open_window(const WindowOptions& options, LoadPicture load, const Clock& clock);
 
 } // namespace experiment::session

@@ -1,8 +1,8 @@
 // Every method is made from one subject, which hands out thickness fields that are traced once.
 #include "experiment/stimuli/scene_renderer.h"
 
-#include "experiment/materials.h"
-#include "experiment/staging.h"
+#include "experiment/reference_dials.h"
+#include "experiment/stimuli/lit_scene.h"
 #include "experiment/stimuli/recipe.h"
 #include "experiment/text_files.h"
 #include "experiment/traced_fields.h"
@@ -60,16 +60,15 @@ Expected<SceneRenderer> SceneRenderer::prepare(const protocols::Study& study,
                                                int samples,
                                                const std::function<void(double)>& progress) {
     SceneRenderer scene_renderer(study, scene, std::move(model), samples);
-    const auto material = material_of(study, scene);
-    if (!material)
-        return tl::unexpected(fmt::format("no material \"{}\"", scene.material));
-    scene_renderer.material_ = *material;
     if (auto prepared = scene_renderer.prepare_contenders(progress); !prepared)
         return tl::unexpected(prepared.error());
     return scene_renderer;
 }
 
 Expected<void> SceneRenderer::prepare_contenders(const std::function<void(double)>& progress) {
+    const auto seen = seen_scene(*study_, *scene_, model_.mesh);
+    if (!seen)
+        return tl::unexpected(seen.error());
     auto surface = methods::Surface::upload(model_.mesh);
     if (!surface)
         return tl::unexpected(surface.error());
@@ -77,61 +76,98 @@ Expected<void> SceneRenderer::prepare_contenders(const std::function<void(double
     const methods::Subject subject{
         .mesh = model_.mesh,
         .surface = *surface,
-        .material = material_,
-        .placement = seen().placement,
+        .material = seen->material,
+        .placement = seen->placement,
         .field = [&](const auto& options) { return fields.field(options); },
         .progress = progress};
     for (const auto& condition : study_->conditions) {
         const auto* rendering = std::get_if<Rendering>(&condition.source);
         if (rendering == nullptr)
             continue;
+        if (rendering->method == reference_method) {
+            contenders_.push_back({&condition, nullptr, {}});
+            continue;
+        }
         const auto start = Clock::now();
         auto method = methods::prepare_method(rendering->method, rendering->dials, subject);
         if (!method)
             return tl::unexpected(
                 fmt::format("condition \"{}\": {}", condition.id.value, method.error()));
         contenders_.push_back(
-            {&condition, std::move(*method), seconds_since(start) + fields.take_seconds_saved()});
+            {&condition, std::move(*method), fields.seconds_alone(seconds_since(start))});
     }
     return {};
 }
 
-renderer::Scene SceneRenderer::seen() const {
-    auto scene = staged(*scene_, renderer::geometry::bounding_sphere(model_.mesh),
-                        static_cast<double>(study_->width) / study_->height);
-    scene.material = material_;
-    return scene;
-}
-
-renderer::Scene SceneRenderer::lit_by(const protocols::Variant& variant) const {
-    auto scene = seen();
-    scene.lights = lights_of(variant, scene.camera);
-    return scene;
-}
-
 Expected<std::vector<SceneRenderer::Drawn>>
 SceneRenderer::draw_all(const protocols::Variant& variant) {
-    const auto scene = lit_by(variant);
+    const auto scene = lit_scene(*study_, *scene_, variant, model_.mesh);
+    if (!scene)
+        return tl::unexpected(scene.error());
     std::vector<Drawn> drawn;
     for (auto& contender : contenders_) {
-        const auto start = Clock::now();
-        auto image = methods::render_picture(*contender.method, scene, study_->width,
-                                             study_->height, samples_);
-        if (!image)
-            return tl::unexpected(image.error());
-        PictureRecord record;
-        record.frame_milliseconds = 1000.0 * seconds_since(start) / samples_;
-        record.dials = dials(std::get<Rendering>(contender.condition->source));
-        record.width = study_->width;
-        record.height = study_->height;
-        record.model = model_.record;
-        record.precompute_seconds = contender.precompute_seconds;
-        record.bytes_per_vertex = contender.method->cost().bytes_per_vertex;
-        drawn.push_back({{scene_->id, variant.id, contender.condition->id},
-                         std::move(*image),
-                         std::move(record)});
+        auto one = contender.method != nullptr ? draw(contender, *scene)
+                                               : draw_reference(*contender.condition, *scene);
+        if (!one)
+            return tl::unexpected(one.error());
+        one->picture = {scene_->id, variant.id, contender.condition->id};
+        one->record.dials = dials(std::get<Rendering>(contender.condition->source));
+        one->record.width = study_->width;
+        one->record.height = study_->height;
+        one->record.model = model_.record;
+        drawn.push_back(std::move(*one));
     }
     return drawn;
+}
+
+Expected<SceneRenderer::Drawn> SceneRenderer::draw(Contender& contender,
+                                                   const renderer::Scene& scene) const {
+    const auto start = Clock::now();
+    auto image =
+        methods::render_picture(*contender.method, scene, study_->width, study_->height, samples_);
+    if (!image)
+        return tl::unexpected(image.error());
+    PictureRecord record;
+    record.frame_milliseconds = 1000.0 * seconds_since(start) / samples_;
+    record.precompute_seconds = contender.precompute_seconds;
+    record.bytes_per_vertex = contender.method->cost().bytes_per_vertex;
+    if (const auto decision = contender.method->decision(); !decision.empty())
+        record.decision = decision;
+    return Drawn{{}, std::move(*image), std::move(record)};
+}
+
+Expected<SceneRenderer::Drawn> SceneRenderer::draw_reference(const protocols::Condition& condition,
+                                                             const renderer::Scene& scene) const {
+    const auto start = Clock::now();
+    auto picture = renderer::reference::reference_picture(
+        model_.mesh, scene, study_->width, study_->height,
+        reference_run(std::get<Rendering>(condition.source).dials));
+    if (!picture)
+        return tl::unexpected(
+            fmt::format("condition \"{}\": {}", condition.id.value, picture.error()));
+    PictureRecord record;
+    record.renderer = fmt::format("path tracer, {} samples, standard error {:.3g} % of the mean",
+                                  picture->samples, 100 * picture->outcome.state.relative_error);
+    record.frame_milliseconds = 1000.0 * seconds_since(start);
+    return Drawn{{}, std::move(picture->image), std::move(record)};
+}
+
+/// Brightness is that of the reference, where there is one.
+std::optional<double> SceneRenderer::reference_mean(const std::vector<Drawn>& drawn,
+                                                    std::span<const std::size_t> mask) const {
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        if (contenders_[i].method == nullptr && !mask.empty())
+            return imaging::mean_luminance(drawn[i].image, mask);
+    return std::nullopt;
+}
+
+/// Pixels that every picture covers wholly: the reference's samples lie elsewhere than OpenGL's.
+std::vector<std::size_t> SceneRenderer::common_mask(const std::vector<Drawn>& drawn) {
+    auto coverage = drawn.front().image.coverage;
+    for (const auto& one : drawn)
+        std::ranges::transform(coverage, one.image.coverage, coverage.begin(),
+                               [](float a, float b) { return std::min(a, b); });
+    return imaging::covered_pixels(coverage);
 }
 
 Expected<std::map<Picture, PictureRecord>> SceneRenderer::render(const protocols::Variant& variant,
@@ -142,8 +178,8 @@ Expected<std::map<Picture, PictureRecord>> SceneRenderer::render(const protocols
     std::vector<imaging::NamedImage> pictures;
     for (const auto& one : *drawn)
         pictures.push_back({one.picture.condition.value, one.image});
-    const auto mask = imaging::covered_pixels(drawn->front().image.coverage);
-    const auto matches = imaging::match_brightness(pictures, mask);
+    const auto mask = common_mask(*drawn);
+    const auto matches = imaging::match_brightness(pictures, mask, reference_mean(*drawn, mask));
     if (!matches)
         return tl::unexpected(fmt::format("scene \"{}\", variant \"{}\": {}", scene_->id.value,
                                           variant.id.value, matches.error()));

@@ -13,6 +13,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,8 +48,8 @@ class SceneRenderer {
     /// A condition that is rendered, ready to draw.
     struct Contender {
         const protocols::Condition* condition = nullptr;
-        std::unique_ptr<renderer::methods::Method> method;
-        double precompute_seconds = 0;
+        std::unique_ptr<renderer::methods::Method> method; ///< null: the reference
+        std::optional<double> precompute_seconds;
     };
 
     struct Drawn;
@@ -59,15 +61,18 @@ class SceneRenderer {
         : study_(&study), scene_(&scene), model_(std::move(model)), samples_(samples) {}
 
     tl::expected<void, std::string> prepare_contenders(const std::function<void(double)>& progress);
-    renderer::Scene seen() const;
-    renderer::Scene lit_by(const protocols::Variant& variant) const;
     tl::expected<std::vector<Drawn>, std::string> draw_all(const protocols::Variant& variant);
+    tl::expected<Drawn, std::string> draw(Contender& contender, const renderer::Scene& scene) const;
+    tl::expected<Drawn, std::string> draw_reference(const protocols::Condition& condition,
+                                                    const renderer::Scene& scene) const;
+    std::optional<double> reference_mean(const std::vector<Drawn>& drawn,
+                                         std::span<const std::size_t> mask) const;
+    static std::vector<std::size_t> common_mask(const std::vector<Drawn>& drawn);
 
     const protocols::Study* study_;
     const protocols::Scene* scene_;
     LoadedModel model_;
     int samples_;
-    renderer::Material material_;
     std::vector<Contender> contenders_;
 };
 

@@ -59,6 +59,23 @@ struct Shown {
     bool operator==(const Shown&) const = default;
 };
 
+/// A change of the screen during a trial, or something else that took its time.
+struct Frame {
+    std::string what;         ///< "grey", "pair", "first", "between", "second", "hidden", "stored"
+    std::int64_t due_ns = 0;  ///< when it should have been, monotonic clock
+    std::int64_t done_ns = 0; ///< when it was: the buffers' swap had returned, the vote was on disk
+    int late = 0;             ///< refreshes of the screen that were missed; 0 where none is known
+    bool operator==(const Frame&) const = default;
+};
+
+/// What the screen did during a presentation that led to no vote: practice, or interrupted.
+struct FramesSeen {
+    int trial = 0;
+    int presentation = 1;
+    std::vector<Frame> frames;
+    bool operator==(const FramesSeen&) const = default;
+};
+
 /// An answer to a main trial.  Answers to training and warm-ups never come here.
 struct MainVote {
     int trial = 0; ///< its number in the plan
@@ -67,11 +84,30 @@ struct MainVote {
     std::int64_t onset_ns = 0;
     std::int64_t key_ns = 0;
     std::string onset_utc;
-    std::string device;    ///< "keyboard", "mouse", "simulated"
-    std::string key_name;  ///< "left", "right"
-    int early_keys = 0;    ///< answers pressed before input opened, not taken
-    bool held_key = false; ///< an answer key was already down when the pictures appeared
+    std::string device;          ///< "keyboard", "mouse", "simulated"
+    std::string key_name;        ///< "left", "right"
+    int early_keys = 0;          ///< answers pressed before input opened, not taken
+    bool held_key = false;       ///< an answer key was already down when the pictures appeared
+    std::optional<int> grade{};  ///< -3..3 of the right picture, where grades are asked for
+    std::vector<Frame> frames{}; ///< of the presentation that was answered
     bool operator==(const MainVote&) const = default;
+};
+
+/// What an observer, or the experimenter about one, has answered before the first sitting.
+struct Answer {
+    std::string question; ///< its id; "consent" and "screening", too
+    std::string answer;
+    std::string utc;
+    bool operator==(const Answer&) const = default;
+};
+
+/// What is left of an observer who wished to be removed.
+struct Tombstone {
+    std::string utc;
+    std::string reason;
+    int rows = 0;  ///< that were removed
+    int votes = 0; ///< among them
+    bool operator==(const Tombstone&) const = default;
 };
 
 /// Anything else worth knowing later: a page read, a break, an interruption.
@@ -90,6 +126,7 @@ struct Sitting {
     std::vector<Shown> shown;
     std::vector<MainVote> votes; ///< in the order they were given
     std::vector<SittingEvent> events;
+    std::vector<FramesSeen> frames; ///< of presentations without a vote
     std::optional<std::string> finished_utc;
 };
 
@@ -119,6 +156,7 @@ struct VoteRow {
     std::chrono::milliseconds response_time{};
     std::string onset_utc;
     bool simulated = false;
+    std::optional<int> grade{}; ///< -3..3 of the right picture, where grades are asked for
     bool operator==(const VoteRow&) const = default;
 };
 

@@ -15,6 +15,7 @@ struct ChainedRow {
     std::int64_t seq = 0; ///< 1, 2, 3, ... over all tables
     Row values;
     std::string digest;
+    bool removed = false; ///< only its number and digest are left, and a tombstone says why
 };
 
 /// SHA-256, hexadecimal, over the predecessor's digest, the table's name, the number and the

@@ -3,12 +3,14 @@
 
 #include "experiment/store/row_chain.h"
 #include "experiment/store/sqlite_schema.h"
+#include "experiment/store/sqlite_withdrawal.h"
 #include "experiment/store/vote_store.h"
 #include "experiment/store/words.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace experiment::store {
 
@@ -67,8 +69,42 @@ std::vector<ChainedRow> chained_rows(const SqliteDatabase& database) {
             chained.values.assign(row.begin() + 1, row.end() - 1);
             rows.push_back(std::move(chained));
         }
+    for (const auto& row : database.query("SELECT seq, digest FROM removed"))
+        rows.push_back({"removed", integer_of(row[0]), {}, text_of(row[1]), true});
     std::ranges::stable_sort(rows, {}, &ChainedRow::seq);
     return rows;
+}
+
+void add_grades(std::vector<MainVote>& votes, const SqliteDatabase& database, const Row& sitting) {
+    for (const auto& row :
+         database.query("SELECT trial, grade FROM grades WHERE sitting = ?", sitting))
+        for (auto& vote : votes)
+            if (vote.trial == small(row[0]))
+                vote.grade = small(row[1]);
+}
+
+// A vote's frames are those of its trial's last presentation; all others led to no vote.
+void add_frames(Sitting& sitting, const SqliteDatabase& database, const Row& number) {
+    std::map<int, int> last;
+    for (const auto& shown : sitting.shown)
+        last[shown.trial] = std::max(last[shown.trial], shown.presentation);
+    for (const auto& row :
+         database.query("SELECT trial, presentation, what, due_ns, done_ns, late FROM frames WHERE "
+                        "sitting = ? ORDER BY seq",
+                        number)) {
+        const int trial = small(row[0]);
+        const int presentation = small(row[1]);
+        Frame frame{text_of(row[2]), integer_of(row[3]), integer_of(row[4]), small(row[5])};
+        const auto vote = std::ranges::find(sitting.votes, trial, &MainVote::trial);
+        if (vote != sitting.votes.end() && presentation == last[trial]) {
+            vote->frames.push_back(std::move(frame));
+            continue;
+        }
+        if (sitting.frames.empty() || sitting.frames.back().trial != trial ||
+            sitting.frames.back().presentation != presentation)
+            sitting.frames.push_back({trial, presentation, {}});
+        sitting.frames.back().frames.push_back(std::move(frame));
+    }
 }
 
 // A query whose rows are sitting, session, observer, count: one finding each.
@@ -154,7 +190,7 @@ std::optional<Sitting> read_sitting(const SqliteDatabase& database, const Sittin
     if (headers.empty())
         return std::nullopt;
     const Row number{headers[0][0]};
-    Sitting sitting{start_of(headers[0]), {}, {}, {}, {}, optional_text(headers[0][17])};
+    Sitting sitting{start_of(headers[0]), {}, {}, {}, {}, {}, optional_text(headers[0][17])};
     for (const auto& row :
          database.query("SELECT * FROM planned WHERE sitting = ? ORDER BY trial", number))
         sitting.plan.push_back(
@@ -171,6 +207,8 @@ std::optional<Sitting> read_sitting(const SqliteDatabase& database, const Sittin
                                  std::chrono::milliseconds(integer_of(row[4])), integer_of(row[5]),
                                  integer_of(row[6]), text_of(row[7]), text_of(row[8]),
                                  text_of(row[9]), small(row[10]), integer_of(row[11]) == 1});
+    add_grades(sitting.votes, database, number);
+    add_frames(sitting, database, number);
     for (const auto& row :
          database.query("SELECT * FROM events WHERE sitting = ? ORDER BY seq", number))
         sitting.events.push_back(
@@ -178,9 +216,30 @@ std::optional<Sitting> read_sitting(const SqliteDatabase& database, const Sittin
     return sitting;
 }
 
+std::vector<Answer> read_answers(const SqliteDatabase& database,
+                                 const protocols::ObserverId& observer) {
+    std::vector<Answer> answers;
+    for (const auto& row :
+         database.query("SELECT question, answer, utc FROM answers WHERE observer = ? ORDER BY seq",
+                        {observer.value}))
+        answers.push_back({text_of(row[0]), text_of(row[1]), text_of(row[2])});
+    return answers;
+}
+
+std::vector<Tombstone> read_tombstones(const SqliteDatabase& database) {
+    std::vector<Tombstone> tombstones;
+    for (const auto& row :
+         database.query("SELECT utc, reason, row_count, vote_count FROM tombstones ORDER BY seq"))
+        tombstones.push_back({text_of(row[0]), text_of(row[1]), small(row[2]), small(row[3])});
+    return tombstones;
+}
+
 std::vector<VoteRow> read_votes(const SqliteDatabase& database) {
     std::vector<VoteRow> votes;
-    for (const auto& row : database.query("SELECT * FROM long_votes"))
+    for (const auto& row : database.query(
+             "SELECT long_votes.*, (SELECT grade FROM grades JOIN sittings ON sittings.seq = "
+             "grades.sitting WHERE sittings.observer = long_votes.observer AND sittings.session = "
+             "long_votes.session AND grades.trial = long_votes.trial) FROM long_votes"))
         votes.push_back(
             {text_of(row[0]),
              {text_of(row[1])},
@@ -190,7 +249,9 @@ std::vector<VoteRow> read_votes(const SqliteDatabase& database) {
              choice(database, row[8]),
              std::chrono::milliseconds(integer_of(row[9])),
              text_of(row[10]),
-             integer_of(row[11]) == 1});
+             integer_of(row[11]) == 1,
+             std::holds_alternative<std::monostate>(row[12]) ? std::nullopt
+                                                             : std::optional(small(row[12]))});
     return votes;
 }
 
@@ -200,8 +261,9 @@ std::vector<std::string> read_findings(const SqliteDatabase& database) {
         if (text_of(row[0]) != "ok")
             findings.push_back("the file is damaged: " + text_of(row[0]));
     const auto head = read_head(database);
-    const auto broken = chain_findings(chained_rows(database), head.seq, head.digest);
-    findings.insert(findings.end(), broken.begin(), broken.end());
+    for (const auto& broken : {chain_findings(chained_rows(database), head.seq, head.digest),
+                               tombstone_findings(database)})
+        findings.insert(findings.end(), broken.begin(), broken.end());
     try {
         add_contradictions(findings, database);
     } catch (const std::exception&) {

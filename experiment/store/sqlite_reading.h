@@ -23,6 +23,10 @@ std::vector<SittingSummary> read_summaries(const SqliteDatabase& database);
 std::optional<Sitting> read_sitting(const SqliteDatabase& database, const SittingKey& key);
 std::vector<VoteRow> read_votes(const SqliteDatabase& database);
 
+std::vector<Answer> read_answers(const SqliteDatabase& database,
+                                 const protocols::ObserverId& observer);
+std::vector<Tombstone> read_tombstones(const SqliteDatabase& database);
+
 /// What `VoteStore::verify` says.
 std::vector<std::string> read_findings(const SqliteDatabase& database);
 

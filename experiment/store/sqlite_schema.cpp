@@ -1,4 +1,5 @@
-// The schema, version 1.  Every row is written once; triggers refuse anything else.
+// The schema.  Every row is written once, and goes only with its observer's wish; triggers refuse
+// anything else.
 #include "experiment/store/sqlite_schema.h"
 
 #include <fmt/format.h>
@@ -99,23 +100,107 @@ CREATE VIEW long_votes AS
     ORDER BY observers.seq, sittings.session, votes.trial;
 )sql";
 
-} // namespace
+// What version 2 has and version 1 has not.
+constexpr auto additions = R"sql(
+CREATE TABLE answers (
+    seq INTEGER PRIMARY KEY,
+    observer TEXT NOT NULL REFERENCES observers (observer),
+    question TEXT NOT NULL, answer TEXT NOT NULL, utc TEXT NOT NULL,
+    digest TEXT NOT NULL
+) STRICT;
 
-const std::vector<std::string>& chained_tables() {
+-- A vote's grade, where the study asks for grades: of the right picture, -3 to 3.
+CREATE TABLE grades (
+    seq INTEGER PRIMARY KEY,
+    sitting INTEGER NOT NULL, trial INTEGER NOT NULL,
+    grade INTEGER NOT NULL CHECK (grade BETWEEN -3 AND 3),
+    digest TEXT NOT NULL,
+    UNIQUE (sitting, trial)
+) STRICT;
+
+CREATE TABLE frames (
+    seq INTEGER PRIMARY KEY,
+    sitting INTEGER NOT NULL, trial INTEGER NOT NULL, presentation INTEGER NOT NULL,
+    what TEXT NOT NULL, due_ns INTEGER NOT NULL, done_ns INTEGER NOT NULL,
+    late INTEGER NOT NULL CHECK (late >= 0),
+    digest TEXT NOT NULL
+) STRICT;
+
+-- Who left, without saying who: the digest is over the study's id and the pseudonym.
+CREATE TABLE tombstones (
+    seq INTEGER PRIMARY KEY,
+    utc TEXT NOT NULL, reason TEXT NOT NULL, observer_sha256 TEXT NOT NULL,
+    row_count INTEGER NOT NULL, vote_count INTEGER NOT NULL, removed_sha256 TEXT NOT NULL,
+    digest TEXT NOT NULL
+) STRICT;
+
+-- The places in the chain of rows that a tombstone stands for; without them it would be broken.
+CREATE TABLE removed (
+    seq INTEGER PRIMARY KEY, tombstone INTEGER NOT NULL, digest TEXT NOT NULL
+) STRICT;
+)sql";
+
+const std::vector<std::string>& tables_of_version_1() {
     static const std::vector<std::string> names{"study", "observers", "sittings", "planned",
                                                 "shown", "votes",     "events",   "finished"};
     return names;
 }
 
+const std::vector<std::string>& tables_of_version_2() {
+    static const std::vector<std::string> names{"answers", "grades", "frames", "tombstones"};
+    return names;
+}
+
+std::string guards_sql(const std::vector<std::string>& guarded) {
+    std::string sql;
+    for (const auto& table : guarded)
+        for (const auto& guard : guards(table))
+            sql += guard.sql;
+    return sql;
+}
+
+std::string stamp_sql() {
+    return fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};", application_id,
+                       schema_version);
+}
+
+} // namespace
+
+const std::vector<std::string>& chained_tables() {
+    static const auto names = [] {
+        auto all = tables_of_version_1();
+        all.insert(all.end(), tables_of_version_2().begin(), tables_of_version_2().end());
+        return all;
+    }();
+    return names;
+}
+
+std::vector<Guard> guards(const std::string& table) {
+    std::vector<Guard> both;
+    for (const auto* change : {"UPDATE", "DELETE"}) {
+        auto name = fmt::format("{}_keeps_from_{}", table, change);
+        auto sql = fmt::format("CREATE TRIGGER {} BEFORE {} ON {} BEGIN SELECT RAISE(ABORT, 'the "
+                               "vote store is append-only'); END;\n",
+                               name, change, table);
+        both.push_back({std::move(name), std::move(sql)});
+    }
+    return both;
+}
+
+std::string upgrade_sql() {
+    return additions + guards_sql(tables_of_version_2()) + guards_sql({"removed"}) + stamp_sql();
+}
+
+std::string stand_ins_sql() {
+    std::string sql = additions;
+    constexpr std::string_view made = "CREATE TABLE";
+    for (auto at = sql.find(made); at != std::string::npos; at = sql.find(made, at + made.size()))
+        sql.replace(at, made.size(), "CREATE TEMP TABLE");
+    return sql;
+}
+
 std::string schema_sql() {
-    std::string sql = tables;
-    for (const auto& table : chained_tables())
-        for (const auto* change : {"UPDATE", "DELETE"})
-            sql += fmt::format("CREATE TRIGGER {0}_keeps_from_{1} BEFORE {1} ON {0} BEGIN "
-                               "SELECT RAISE(ABORT, 'the vote store is append-only'); END;\n",
-                               table, change);
-    return sql + fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};",
-                             application_id, schema_version);
+    return tables + guards_sql(tables_of_version_1()) + upgrade_sql();
 }
 
 } // namespace experiment::store

@@ -5,6 +5,7 @@
 #include "experiment/store/sqlite_database.h"
 #include "experiment/store/sqlite_reading.h"
 #include "experiment/store/sqlite_schema.h"
+#include "experiment/store/sqlite_withdrawal.h"
 #include "experiment/store/words.h"
 
 #include <fmt/format.h>
@@ -50,18 +51,31 @@ class SqliteStore final : public VoteStore {
   public:
     explicit SqliteStore(SqliteDatabase database) : database_(std::move(database)) {}
 
-    /// Throws when this is no vote store, or one of another version.
-    void check_format() const {
+    /// Throws when this is no vote store, or one of a later version.  One of an earlier version is
+    /// read as it is, with stand-ins for what it lacks.
+    void check_format() {
         const auto found_id = integer_of(database_.query("PRAGMA application_id")[0][0]);
         const auto version = integer_of(database_.query("PRAGMA user_version")[0][0]);
         if (found_id != application_id)
             throw database_.complaint("is not a vote store of this program; expected the "
                                       "votes.sqlite of a study, or no file");
-        if (version != schema_version)
-            throw database_.complaint(fmt::format("has schema version {}, expected {}; use the "
-                                                  "version of this program that wrote it",
+        if (version < 1 || version > schema_version)
+            throw database_.complaint(fmt::format("has schema version {}, expected 1 to {}; use "
+                                                  "the version of this program that wrote it",
                                                   version, schema_version));
         read_head(database_);
+        is_older_ = version < schema_version;
+        if (is_older_)
+            database_.execute(stand_ins_sql());
+    }
+
+    /// Gives an older store the tables it lacks; what it holds is not touched.
+    void upgrade() {
+        if (!std::exchange(is_older_, false))
+            return;
+        for (const auto* table : {"answers", "grades", "frames", "tombstones", "removed"})
+            database_.execute(fmt::format("DROP TABLE temp.{}", table));
+        database_.in_transaction([&] { database_.execute(upgrade_sql()); });
     }
 
     void check_writable() {
@@ -98,6 +112,11 @@ class SqliteStore final : public VoteStore {
                                                       "to 32 letters, digits, '-' and '_'",
                                                       observer.value));
             database_.in_transaction([&] {
+                if (was_withdrawn(database_, observer))
+                    throw database_.complaint(
+                        fmt::format("observer {} was withdrawn at their wish; expected another "
+                                    "pseudonym",
+                                    observer.value));
                 if (database_.query("SELECT 1 FROM observers WHERE observer = ?", {observer.value})
                         .empty())
                     append("observers", {observer.value, utc});
@@ -148,6 +167,11 @@ class SqliteStore final : public VoteStore {
                                  std::int64_t{vote.response_time.count()}, vote.onset_ns,
                                  vote.key_ns, vote.onset_utc, vote.device, vote.key_name,
                                  std::int64_t{vote.early_keys}, std::int64_t{vote.held_key}});
+                if (vote.grade)
+                    append("grades",
+                           {sitting, std::int64_t{vote.trial}, std::int64_t{*vote.grade}});
+                append_frames_of(sitting, vote.trial, last_presentation(sitting, vote.trial),
+                                 vote.frames);
             });
         });
     }
@@ -158,6 +182,49 @@ class SqliteStore final : public VoteStore {
                 const auto sitting = open_sitting(key);
                 append("events", {sitting, event.kind, event.detail, event.at_ns, event.utc});
             });
+        });
+    }
+
+    Expected<void> append_frames(const SittingKey& key, const FramesSeen& seen) override {
+        return attempt(database_.file(), [&] {
+            database_.in_transaction([&] {
+                const auto sitting = open_sitting(key);
+                phase_of_trial(key, sitting, seen.trial);
+                append_frames_of(sitting, seen.trial, seen.presentation, seen.frames);
+            });
+        });
+    }
+
+    Expected<void> append_answers(const ObserverId& observer,
+                                  std::span<const Answer> answers) override {
+        return attempt(database_.file(), [&] {
+            database_.in_transaction([&] {
+                refuse_unknown(observer);
+                for (const auto& [question, answer, utc] : answers)
+                    append("answers", {observer.value, question, answer, utc});
+            });
+        });
+    }
+
+    Expected<Tombstone> withdraw(const ObserverId& observer,
+                                 const std::string& utc,
+                                 const std::string& reason) override {
+        return attempt(database_.file(), [&] {
+            Tombstone tombstone{utc, reason, 0, 0};
+            database_.execute("PRAGMA secure_delete = ON"); // zeros where the rows lay
+            database_.in_transaction([&] {
+                refuse_unknown(observer);
+                const auto removal = remove_observer(database_, observer);
+                tombstone.rows = removal.rows;
+                tombstone.votes = removal.votes;
+                const auto seq = append(
+                    "tombstones", {utc, reason, removal.observer_sha256, std::int64_t{removal.rows},
+                                   std::int64_t{removal.votes}, removal.removed_sha256});
+                database_.query("INSERT INTO removed SELECT seq, ?, digest FROM temp.leaving",
+                                {seq});
+                database_.execute("DROP TABLE temp.leaving");
+            });
+            return tombstone;
         });
     }
 
@@ -198,6 +265,14 @@ class SqliteStore final : public VoteStore {
         return attempt(database_.file(), [&] { return read_votes(database_); });
     }
 
+    Expected<std::vector<Answer>> answers(const ObserverId& observer) const override {
+        return attempt(database_.file(), [&] { return read_answers(database_, observer); });
+    }
+
+    Expected<std::vector<Tombstone>> tombstones() const override {
+        return attempt(database_.file(), [&] { return read_tombstones(database_); });
+    }
+
     Expected<std::vector<std::string>> verify() const override {
         return attempt(database_.file(), [&] { return read_findings(database_); });
     }
@@ -217,6 +292,26 @@ class SqliteStore final : public VoteStore {
         database_.query(sql + ")", stored);
         database_.query("UPDATE head SET seq = ?, digest = ? WHERE one = 1", {row.seq, digest});
         return row.seq;
+    }
+
+    void append_frames_of(std::int64_t sitting,
+                          std::int64_t trial,
+                          std::int64_t presentation,
+                          const std::vector<Frame>& frames) {
+        for (const auto& [what, due, done, late] : frames)
+            append("frames", {sitting, trial, presentation, what, due, done, std::int64_t{late}});
+    }
+
+    std::int64_t last_presentation(std::int64_t sitting, std::int64_t trial) const {
+        return integer_of(
+            database_.query("SELECT max(presentation) FROM shown WHERE sitting = ? AND trial = ?",
+                            {sitting, trial})[0][0]);
+    }
+
+    void refuse_unknown(const ObserverId& observer) const {
+        if (database_.query("SELECT 1 FROM observers WHERE observer = ?", {observer.value}).empty())
+            throw database_.complaint(fmt::format(
+                "knows no observer {}; `pairlight observers` lists them", observer.value));
     }
 
     DatabaseError complaint(const SittingKey& key, const std::string& message) const {
@@ -297,6 +392,7 @@ class SqliteStore final : public VoteStore {
     }
 
     SqliteDatabase database_;
+    bool is_older_ = false; ///< than this program's schema, and read with stand-ins
 };
 
 Expected<std::unique_ptr<VoteStore>> opened(const std::filesystem::path& file,
@@ -336,6 +432,7 @@ Expected<std::unique_ptr<VoteStore>> open_or_create_votes(const std::filesystem:
                       store.check_format();
                       store.check_writable();
                       store.check_study(study);
+                      store.upgrade();
                   });
 }
 

@@ -25,7 +25,7 @@ class VoteStore {
     virtual ~VoteStore() = default;
 
     /// Registers a pseudonym; nothing happens when it is there already.
-    /// Errors: not 1..32 letters, digits, '-' and '_'.
+    /// Errors: not 1..32 letters, digits, '-' and '_'; that of somebody who was withdrawn.
     virtual Expected<void> add_observer(const protocols::ObserverId& observer,
                                         const std::string& utc) = 0;
 
@@ -35,12 +35,26 @@ class VoteStore {
     virtual Expected<void> begin_sitting(const SittingStart& start,
                                          std::span<const protocols::PlannedTrial> plan) = 0;
 
-    /// Errors of these four: no such sitting; a finished one; for the first two, a trial that is
+    /// Errors of these five: no such sitting; a finished one; for the first two, a trial that is
     /// not in the plan; for votes, a trial that is not a main trial, has not been recorded as
     /// shown, or has a vote.
     virtual Expected<void> append_shown(const SittingKey& key, const Shown& shown) = 0;
     virtual Expected<void> append_vote(const SittingKey& key, const MainVote& vote) = 0;
     virtual Expected<void> append_event(const SittingKey& key, const SittingEvent& event) = 0;
+
+    /// What the screen did while no vote came of it.
+    virtual Expected<void> append_frames(const SittingKey& key, const FramesSeen& seen) = 0;
+
+    /// What was answered about an observer; a later answer to the same question is the one that
+    /// counts.  Errors: an unknown observer.
+    virtual Expected<void> append_answers(const protocols::ObserverId& observer,
+                                          std::span<const Answer> answers) = 0;
+
+    /// Removes everything kept of an observer, for good, and leaves a tombstone.
+    /// Errors: an unknown observer.
+    virtual Expected<Tombstone> withdraw(const protocols::ObserverId& observer,
+                                         const std::string& utc,
+                                         const std::string& reason) = 0;
 
     /// Errors, too: a main trial of the plan without a vote.
     virtual Expected<void> finish_sitting(const SittingKey& key, const std::string& utc) = 0;
@@ -59,6 +73,11 @@ class VoteStore {
 
     /// All votes, by observer in order of arrival, session and trial.
     virtual Expected<std::vector<VoteRow>> votes() const = 0;
+
+    /// All answers about an observer, in the order they were given.
+    virtual Expected<std::vector<Answer>> answers(const protocols::ObserverId& observer) const = 0;
+
+    virtual Expected<std::vector<Tombstone>> tombstones() const = 0;
 
     /// Reads everything and says what is wrong, one line each: rows changed, missing or swapped;
     /// votes without a showing; finished sittings with main trials unanswered.  Empty when all is

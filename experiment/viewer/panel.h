@@ -3,7 +3,7 @@
 #pragma once
 
 #include "experiment/viewer/viewer_state.h"
-#include "renderer/gpu/target.h"
+#include "renderer/gpu/screen_pass.h"
 
 #include <array>
 #include <cstddef>
@@ -36,12 +36,12 @@ struct Facts {
     std::array<SideFacts, 2> sides;
     std::optional<double> milliseconds; ///< a whole picture, controls included
     std::size_t vertices = 0, triangles = 0;
-    double diameter_mm = 0;           ///< of the model's bounding sphere in the world
-    std::string renderer;             ///< who draws
-    std::optional<Legend> legend;     ///< in false colours
-    std::vector<std::string> remarks; ///< of the model and the study
-    std::string notice;               ///< what was done last
-    renderer::gpu::Viewport picture;  ///< of the window; the panel, if any, stands left of it
+    double diameter_mm = 0;                ///< of the model's bounding sphere in the world
+    std::string renderer;                  ///< who draws
+    std::optional<Legend> legend;          ///< in false colours
+    std::vector<std::string> remarks;      ///< of the model and the study
+    std::string notice;                    ///< what was done last
+    renderer::gpu::PixelRectangle picture; ///< of the window; the panel, if any, stands left of it
     int window_height = 0;
 };
 

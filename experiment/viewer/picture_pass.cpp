@@ -42,8 +42,7 @@ float look_number(Look look) {
 
 } // namespace
 
-PicturePass::PicturePass(gpu::ScreenPass pass)
-    : pass_(std::move(pass)), block_(sizeof(ShowBlock)) {}
+PicturePass::PicturePass(gpu::ScreenPass pass) : pass_(std::move(pass)), block_(sizeof(ShowBlock)) {}
 
 tl::expected<PicturePass, std::string> PicturePass::create() {
     const std::array fragment{gpu::ShaderPart{"show.frag", show_frag}};
@@ -68,8 +67,7 @@ void PicturePass::draw(const gpu::Target& left,
     block_.bind_uniform_block(0);
     left.bind_texture(0);
     right.bind_texture(1);
-    const gpu::DrawingWithin part(place);
-    pass_.run();
+    pass_.run(place);
 }
 
 } // namespace experiment::viewer

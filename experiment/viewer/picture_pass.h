@@ -15,7 +15,7 @@ namespace experiment::viewer {
 
 /// How two pictures are brought together.
 struct Composition {
-    renderer::gpu::Viewport place; ///< of the window; the pictures have its size
+    renderer::gpu::PixelRectangle place; ///< of the window; the pictures have its size
     Look look = Look::Light;
     double right_from =
         1;             ///< where the right picture begins, of the width: 0 all right, 1 all left

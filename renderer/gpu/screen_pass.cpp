@@ -41,16 +41,22 @@ Expected<ScreenPass> ScreenPass::link(std::span<const ShaderPart> fragment) {
 
 void ScreenPass::run() const {
     program_.use();
-    glDisable(GL_DEPTH_TEST); // nor is depth written then
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_BLEND);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_STENCIL_TEST);
+    for (const GLenum meddler : {GL_FRAMEBUFFER_SRGB, GL_DITHER, GL_BLEND, GL_SCISSOR_TEST,
+                                 GL_DEPTH_TEST, GL_STENCIL_TEST, GL_CULL_FACE})
+        glDisable(meddler); // without the depth test depth is not written either
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glBindVertexArray(array_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);
+}
+
+void ScreenPass::run(const PixelRectangle& rectangle) const {
+    std::array<GLint, 4> viewport{};
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    glViewport(rectangle.left, rectangle.bottom, rectangle.width, rectangle.height);
+    run();
+    glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
 }
 
 } // namespace renderer::gpu

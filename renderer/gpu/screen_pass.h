@@ -9,13 +9,23 @@
 
 namespace renderer::gpu {
 
+/// A rectangle of a frame buffer, pixels from its lower left corner.
+struct PixelRectangle {
+    int left = 0, bottom = 0;
+    int width = 0, height = 0;
+};
+
 class ScreenPass {
   public:
     /// Errors: the driver's log.
     static Expected<ScreenPass> link(std::span<const ShaderPart> fragment);
 
-    /// Writes every pixel of the viewport, without looking at depth.
+    /// Writes the first output over every pixel of the viewport: nothing is blended, encoded or
+    /// compared with depth on the way.  `gl_FragCoord` counts from the frame buffer's corner.
     void run() const;
+
+    /// The same within a rectangle of the bound frame buffer.
+    void run(const PixelRectangle& rectangle) const;
 
   private:
     explicit ScreenPass(Program program);

@@ -126,14 +126,14 @@ void Target::clear() const {
     clear_without_masks(framebuffer_.name());
 }
 
+void Target::bind_texture(unsigned unit) const {
+    glBindTextureUnit(unit, colour_.name());
+}
+
 void Target::read(std::vector<float>& rgba) const {
     rgba.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
     glGetTextureImage(colour_.name(), 0, GL_RGBA, GL_FLOAT,
                       static_cast<GLsizei>(rgba.size() * sizeof(float)), rgba.data());
-}
-
-void Target::bind_texture(unsigned unit) const {
-    glBindTextureUnit(unit, colour_.name());
 }
 
 LayeredMap::LayeredMap(int resolution, int layers, Reading reading)

@@ -3,7 +3,7 @@
 #include "renderer/imaging/image_files.h"
 #include "tests/end_to_end/program.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <functional>
 #include <stdexcept>
@@ -79,6 +79,38 @@ void write_small_study(const std::filesystem::path& folder) {
                 !written)
                 throw std::runtime_error(written.error());
         }
+}
+
+void write_seed_study(const std::filesystem::path& folder) {
+    std::string text = R"([study]
+id       = "seed-shape"
+title    = "The seed study's shape"
+question = "Which picture looks more realistic?"
+seed     = 2012
+width    = 200
+height   = 150
+
+[session]
+sessions = 3
+)";
+    for (const auto* scene : {"armadillo", "bunny", "horse"})
+        text += fmt::format("\n[[scene]]\nid = \"{}\"\n", scene);
+    for (const auto* variant : {"back", "front", "left"})
+        text += fmt::format("\n[[variant]]\nid = \"{}\"\n", variant);
+    for (const auto* condition : {"shss-25", "shss-4", "green", "phong"})
+        text += fmt::format("\n[[condition]]\nid = \"{}\"\nsource = \"images\"\n", condition);
+    write_file(folder / "study.toml", text);
+    write_file(folder / "instructions.md", "# Welcome\n\nChoose the more realistic picture.\n");
+    for (const std::string scene : {"armadillo", "bunny", "horse"})
+        for (const std::string variant : {"back", "front", "left"})
+            for (const std::string condition : {"shss-25", "shss-4", "green", "phong"}) {
+                const auto file = folder / "stimuli" / scene / variant / (condition + ".png");
+                std::filesystem::create_directories(file.parent_path());
+                if (const auto written = renderer::imaging::write_png(
+                        file, small_picture(scene + variant, condition));
+                    !written)
+                    throw std::runtime_error(written.error());
+            }
 }
 
 } // namespace tests

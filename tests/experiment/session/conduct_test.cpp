@@ -2,6 +2,7 @@
 #include "experiment/session/observers.h"
 #include "experiment/session/simulated_screen.h"
 #include "experiment/store/sqlite_store.h"
+#include "tests/experiment/session/failing_store.h"
 #include "tests/experiment/store/small_sitting.h"
 #include "tests/experiment/store/temporary_folder.h"
 
@@ -209,70 +210,175 @@ TEST_F(Conduct, WantsInstructions) {
     EXPECT_THAT(*store->sittings(), IsEmpty());
 }
 
-// A store whose disk is full from some vote on.
-class FullStore final : public store::VoteStore {
+TEST_F(Conduct, LosesAndInventsNoVoteWhereverThePowerFails) {
+    const auto whole = open("whole.sqlite");
+    tests::FailingStore counting(*whole, 1000);
+    ASSERT_TRUE(simulate(simulated("S1"), counting));
+    ASSERT_GT(counting.writes(), 20);
+    const auto expected = *whole->votes();
+    for (int good = 0; good < counting.writes(); ++good) {
+        const auto name = "cut" + std::to_string(good);
+        const auto store = open(name);
+        tests::FailingStore failing(*store, good);
+        EXPECT_EQ(simulate(simulated("S1"), failing).error(), "the disk is full");
+        const auto kept = *store->votes();
+        // Nothing is shown after a vote that could not be stored.
+        if (const auto sitting = *store->sitting(tests::sitting_of("S1")))
+            for (const auto& shown : sitting->shown)
+                if (shown.trial > 3) {
+                    EXPECT_GE(static_cast<int>(kept.size()), shown.trial - 3) << name;
+                }
+        ASSERT_TRUE(simulate(simulated("S1"), *store)) << name;
+        const auto votes = *store->votes();
+        ASSERT_EQ(votes.size(), expected.size()) << name;
+        for (std::size_t i = 0; i < votes.size(); ++i) {
+            EXPECT_EQ(votes[i].pair, expected[i].pair) << name;
+            EXPECT_EQ(votes[i].chosen, expected[i].chosen) << name;
+        }
+        EXPECT_THAT(*store->verify(), IsEmpty()) << name;
+    }
+}
+
+TEST_F(Conduct, RefusesADayThatIsBeforeAnEarlierSitting) {
+    const auto store = open();
+    ASSERT_TRUE(store->add_observer({"P1"}, "2026-03-01T08:59:00.000Z"));
+    auto start = tests::start_of(tests::sitting_of("P1"));
+    start.local_date = local_date(morning);
+    ASSERT_TRUE(store->begin_sitting(start, tests::small_plan()));
+    const VirtualClock set_back(morning - std::chrono::hours(48));
+    EXPECT_THAT(check_sitting(request_of("P1", 2), *store, set_back).error(),
+                HasSubstr("expected at least 1 day(s) between them"));
+}
+
+// A machine whose wall clock is set back an hour in the middle of a sitting.
+class ClockSetBack final : public Clock {
   public:
-    FullStore(store::VoteStore& within, int votes) : within_(within), left_(votes) {}
+    ClockSetBack(const VirtualClock& within, Monotonic when) : within_(within), when_(when) {}
 
-    Expected<void> append_vote(const store::SittingKey& key, const store::MainVote& vote) override {
-        if (left_-- == 0)
-            return tl::unexpected(std::string("the disk is full"));
-        return within_.append_vote(key, vote);
+    Monotonic now() const override { return within_.now(); }
+
+    WallTime wall() const override {
+        return within_.wall() - (now() >= when_ ? std::chrono::hours(1) : std::chrono::hours(0));
     }
-
-    Expected<void> add_observer(const protocols::ObserverId& id, const std::string& utc) override {
-        return within_.add_observer(id, utc);
-    }
-
-    Expected<void> begin_sitting(const store::SittingStart& start,
-                                 std::span<const protocols::PlannedTrial> plan) override {
-        return within_.begin_sitting(start, plan);
-    }
-
-    Expected<void> append_shown(const store::SittingKey& key, const store::Shown& shown) override {
-        return within_.append_shown(key, shown);
-    }
-
-    Expected<void> append_event(const store::SittingKey& key,
-                                const store::SittingEvent& event) override {
-        return within_.append_event(key, event);
-    }
-
-    Expected<void> finish_sitting(const store::SittingKey& key, const std::string& utc) override {
-        return within_.finish_sitting(key, utc);
-    }
-
-    Expected<store::StudyIdentity> study() const override { return within_.study(); }
-
-    Expected<std::vector<protocols::ObserverId>> observers() const override {
-        return within_.observers();
-    }
-
-    Expected<std::vector<store::SittingSummary>> sittings() const override {
-        return within_.sittings();
-    }
-
-    Expected<std::optional<store::Sitting>> sitting(const store::SittingKey& key) const override {
-        return within_.sitting(key);
-    }
-
-    Expected<std::vector<store::VoteRow>> votes() const override { return within_.votes(); }
-
-    Expected<std::vector<std::string>> verify() const override { return within_.verify(); }
 
   private:
-    store::VoteStore& within_;
-    int left_;
+    const VirtualClock& within_;
+    Monotonic when_;
 };
 
-TEST_F(Conduct, ShowsNoTrialAfterAVoteThatCouldNotBeStored) {
+TEST_F(Conduct, IsNotMovedByAClockThatIsSetBack) {
+    const auto expected = open("whole.sqlite");
+    ASSERT_TRUE(simulate(simulated("S1"), *expected));
     const auto store = open();
-    FullStore full(*store, 1);
-    EXPECT_EQ(simulate(simulated("S1"), full).error(), "the disk is full");
+    VirtualClock within(morning);
+    const ClockSetBack clock(within, std::chrono::seconds(100)); // in the adaptation
+    SimulatedScreen screen(observer_, "glow", {"S1"}, 1, within);
+    ASSERT_TRUE(conduct(simulated("S1"), *store, screen, clock));
+    const auto votes = *store->votes();
+    const auto others = *expected->votes();
+    ASSERT_EQ(votes.size(), others.size());
+    for (std::size_t i = 0; i < votes.size(); ++i) {
+        EXPECT_EQ(votes[i].chosen, others[i].chosen);
+        EXPECT_EQ(votes[i].response_time, others[i].response_time);
+    }
+    EXPECT_LT(votes.back().onset_utc, others.back().onset_utc);
+    EXPECT_THAT(*store->verify(), IsEmpty());
+}
+
+TEST_F(Conduct, TakesNobodyWhoHasNotConsentedOrWasNotAsked) {
+    const auto store = open();
+    auto request = request_of("P1");
+    request.study.panel.consent = true;
+    request.study.panel.questions = protocols::standard_questions();
+    const VirtualClock clock(morning);
+    EXPECT_THAT(check_sitting(request, *store, clock).error(), HasSubstr("no consent on record"));
+    ASSERT_TRUE(store->add_observer({"P1"}, "2026-03-01T08:59:00.000Z"));
+    std::vector<store::Answer> answers{{"consent", "yes", ""}};
+    for (const auto& question : request.study.panel.questions)
+        answers.push_back({question.id, "yes", ""});
+    ASSERT_TRUE(store->append_answers({"P1"}, std::span(answers).first(3)));
+    EXPECT_THAT(check_sitting(request, *store, clock).error(),
+                HasSubstr("no answer to 'glasses' on record"));
+    ASSERT_TRUE(store->append_answers({"P1"}, answers));
+    EXPECT_TRUE(check_sitting(request, *store, clock));
+    EXPECT_TRUE(check_sitting(simulated("S1"), *store, clock));
+}
+
+TEST_F(Conduct, KeepsTheTimesOfEveryFrameAndAGrade) {
+    const auto store = open();
+    ASSERT_TRUE(simulate(simulated("S1"), *store));
     const auto sitting = **store->sitting(tests::sitting_of("S1"));
-    EXPECT_THAT(sitting.votes, SizeIs(1));
-    EXPECT_EQ(sitting.shown.back().trial, 4); // the one that was being answered
-    EXPECT_EQ(sitting.finished_utc, std::nullopt);
+    for (std::size_t i = 0; i < sitting.votes.size(); ++i) {
+        std::vector<std::string> names;
+        for (const auto& frame : sitting.votes[i].frames)
+            names.push_back(frame.what);
+        if (i == 0)
+            EXPECT_THAT(names, ElementsAre("grey", "pair"));
+        else
+            EXPECT_THAT(names, ElementsAre("stored", "grey", "pair"));
+        EXPECT_EQ(sitting.votes[i].frames.back().done_ns, sitting.votes[i].onset_ns);
+    }
+    EXPECT_THAT(sitting.frames, SizeIs(2)); // of the training and the warm-up
+    const auto timing = std::ranges::find(sitting.events, "timing", &store::SittingEvent::kind);
+    ASSERT_NE(timing, sitting.events.end());
+    EXPECT_EQ(timing->detail, "grade=U; frames=10; late=0; refreshes_missed=0");
+}
+
+TEST_F(Conduct, TellsTheExperimenterHowFarItIs) {
+    const auto store = open();
+    std::vector<std::string> told;
+    auto request = simulated("S1");
+    request.watch = [&](const Standing& standing) {
+        const auto text = standing.doing + " " + std::to_string(standing.answered) + "/" +
+                          std::to_string(standing.main);
+        if (told.empty() || told.back() != text)
+            told.push_back(text);
+    };
+    ASSERT_TRUE(simulate(request, *store));
+    EXPECT_THAT(told,
+                ElementsAre("instructions 1 of 2 0/3", "instructions 2 of 2 0/3", "training 0/3",
+                            "questions 0/3", "adaptation 0/3", "main trials 0/3", "main trials 1/3",
+                            "main trials 2/3", "thanks 3/3"));
+}
+
+TEST_F(Conduct, KeepsGradesBesideVotes) {
+    const auto store = open();
+    auto request = simulated("S1");
+    request.study.plan.response = protocols::Response::SevenGrades;
+    VirtualClock clock(morning);
+    SimulatedScreen screen(observer_, "glow", {"S1"}, 1, clock, protocols::Response::SevenGrades);
+    ASSERT_TRUE(conduct(request, *store, screen, clock));
+    for (const auto& row : *store->votes()) {
+        ASSERT_TRUE(row.grade.has_value());
+        EXPECT_EQ(row.chosen, *row.grade < 0   ? protocols::Choice::Left
+                              : *row.grade > 0 ? protocols::Choice::Right
+                                               : protocols::Choice::Tie);
+    }
+}
+
+TEST_F(Conduct, ShowsPicturesInTurnAndTakesAnswersAfterTheSecond) {
+    for (const auto way : {protocols::Presentation::Sequential, protocols::Presentation::Flip}) {
+        const auto store = open(way == protocols::Presentation::Flip ? "flip" : "sequential");
+        auto request = simulated("S1");
+        request.study.plan.presentation = way;
+        request.study.plan.view_ms = way == protocols::Presentation::Flip ? 0 : 300;
+        ASSERT_TRUE(simulate(request, *store));
+        const auto sitting = **store->sitting(tests::sitting_of("S1"));
+        ASSERT_THAT(sitting.votes, SizeIs(3));
+        for (const auto& vote : sitting.votes) {
+            std::vector<std::string> names;
+            for (const auto& frame : vote.frames)
+                if (frame.what != "stored")
+                    names.push_back(frame.what);
+            if (way == protocols::Presentation::Flip)
+                EXPECT_THAT(names, ElementsAre("grey", "first", "second"));
+            else
+                EXPECT_THAT(names, ElementsAre("grey", "first", "between", "second", "hidden"));
+            const auto& planned = sitting.plan[static_cast<std::size_t>(vote.trial - 1)];
+            const auto expected = answer(observer_, "glow", {"S1"}, 1, vote.trial, planned.trial);
+            EXPECT_EQ(vote.key_ns - vote.onset_ns, expected.response_time.count());
+        }
+    }
 }
 
 } // namespace

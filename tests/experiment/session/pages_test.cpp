@@ -23,14 +23,14 @@ TEST(Pages, KeepOtherAlphabets) {
 }
 
 TEST(Pages, FlowWithinParagraphsAsMarkdownDoes) {
-    EXPECT_EQ(
-        instruction_page("# Head\nOne **bold**\nword.\n\n> asked\n\n- first\n  goes on\n- second")
-            .text,
-        "# Head\nOne bold word.\n\nasked\n\n- first goes on\n- second");
+    EXPECT_EQ(instruction_page(
+                  {}, "# Head\nOne **bold**\nword.\n\n> asked\n\n- first\n  goes on\n- second")
+                  .text,
+              "# Head\nOne bold word.\n\nasked\n\n- first goes on\n- second");
 }
 
 TEST(Pages, SayTheQuestionBeforeThePairs) {
-    const auto page = question_page("Which looks more like wax?");
+    const auto page = question_page({}, "Which looks more like wax?", true);
     EXPECT_THAT(page.text, HasSubstr("Which looks more like wax?"));
     EXPECT_EQ(page.advance, Key::Release);
 }

@@ -7,6 +7,7 @@
 namespace tests {
 
 using namespace experiment::session;
+using experiment::store::FramesSeen;
 using experiment::store::MainVote;
 using experiment::store::Shown;
 using experiment::store::SittingEvent;
@@ -28,6 +29,8 @@ std::string words(const Effect& effect) {
                            vote->held_key ? " held" : "");
     if (const auto* event = std::get_if<SittingEvent>(&effect))
         return fmt::format("event {} {}", event->kind, event->detail);
+    if (std::holds_alternative<FramesSeen>(effect))
+        return "";
     return "finish";
 }
 
@@ -35,7 +38,10 @@ std::string words(const View& view) {
     if (const auto* page = std::get_if<PageView>(&view))
         return "page " + page->text.substr(0, page->text.find('\n'));
     if (const auto* pair = std::get_if<PairView>(&view))
-        return fmt::format("pair {}", pair->number);
+        return fmt::format("pair {}{}", pair->number,
+                           pair->part == Part::Both    ? ""
+                           : pair->part == Part::First ? " first"
+                                                       : " second");
     if (const auto* end = std::get_if<EndView>(&view))
         return end->finished ? "end finished" : "end stopped";
     return "grey";
@@ -57,18 +63,36 @@ ScriptedSitting::ScriptedSitting(SittingScript script, Progress progress, long l
     look(0);
 }
 
+Monotonic ScriptedSitting::true_time(long long ms) const {
+    return milliseconds(ms + settling_ms_);
+}
+
 void ScriptedSitting::feed(long long ms, decltype(Input::what) what) {
-    const auto effects = sitting_.advance({milliseconds(ms), std::move(what)});
+    come_of(ms, sitting_.advance({true_time(ms), std::move(what)}));
+}
+
+void ScriptedSitting::come_of(long long ms, const std::vector<Effect>& effects) {
     write(ms, effects);
     for (const auto& effect : effects)
         if (std::holds_alternative<MainVote>(effect))
-            write(ms, sitting_.advance({{}, VoteStored{}}));
+            write(ms, sitting_.advance({true_time(ms), VoteStored{}}));
     look(ms);
+}
+
+// The moment in which a second answer could come passes, but not on the diary's clock.
+void ScriptedSitting::settle(long long ms) {
+    const auto moment = true_time(ms) + TrialCourse::one_moment;
+    if (sitting_.wake_at() != moment)
+        return;
+    const auto effects = sitting_.advance({moment, Waited{}});
+    settling_ms_ += TrialCourse::one_moment.count();
+    come_of(ms, effects);
 }
 
 void ScriptedSitting::write(long long ms, const std::vector<Effect>& effects) {
     for (const auto& effect : effects)
-        diary_.push_back(fmt::format("{} {}", ms, words(effect)));
+        if (const auto text = words(effect); !text.empty()) // frames are not for the diary
+            diary_.push_back(fmt::format("{} {}", ms, text));
 }
 
 void ScriptedSitting::look(long long ms) {
@@ -78,13 +102,32 @@ void ScriptedSitting::look(long long ms) {
     diary_.push_back(fmt::format("{} {}", ms, words(sitting_.view())));
     if (std::holds_alternative<PairView>(sitting_.view()))
         write(ms + onset_delay_ms_,
-              sitting_.advance({milliseconds(ms + onset_delay_ms_), OnsetSeen{"scripted"}}));
+              sitting_.advance({true_time(ms + onset_delay_ms_), OnsetSeen{"scripted"}}));
 }
 
 void ScriptedSitting::press(long long ms, Key key, Device device) {
     feed(ms, Pressed{key, device});
-    if (!std::holds_alternative<EndView>(sitting_.view()))
-        feed(ms, LetGo{key});
+    if (std::holds_alternative<EndView>(sitting_.view()))
+        return;
+    feed(ms, LetGo{key});
+    settle(ms);
+}
+
+void ScriptedSitting::press_both(long long ms, Key first, long long later_ms, Key second) {
+    feed(ms, Pressed{first, Device::Keyboard});
+    feed(later_ms, Pressed{second, Device::Keyboard});
+    feed(later_ms, LetGo{first});
+    feed(later_ms, LetGo{second});
+    settle(ms);
+}
+
+void ScriptedSitting::press_then_lose_focus(long long ms, Key key, long long later_ms) {
+    feed(ms, Pressed{key, Device::Keyboard});
+    feed(later_ms, FocusLost{});
+}
+
+void ScriptedSitting::change_display(long long ms, const std::string& what) {
+    feed(ms, DisplayChanged{what});
 }
 
 void ScriptedSitting::repeat(long long ms, Key key) {

@@ -12,8 +12,8 @@ namespace tests {
 /// second of adaptation, a break after `break_every` main trials.
 experiment::session::SittingScript short_script(int break_every = 0);
 
-/// Plays the driver's part.  Onsets come `onset_delay` ms after the grey has ended, votes are
-/// stored at once.
+/// Plays the driver's part.  Onsets come `onset_delay` ms after the grey has ended, answers settle
+/// and votes are stored at once.
 class ScriptedSitting {
   public:
     explicit ScriptedSitting(experiment::session::SittingScript script,
@@ -23,6 +23,13 @@ class ScriptedSitting {
     void press(long long ms,
                experiment::session::Key key,
                experiment::session::Device device = experiment::session::Device::Keyboard);
+    /// Two keys, the second one `later_ms` on the clock.
+    void press_both(long long ms,
+                    experiment::session::Key first,
+                    long long later_ms,
+                    experiment::session::Key second);
+    void press_then_lose_focus(long long ms, experiment::session::Key key, long long later_ms);
+    void change_display(long long ms, const std::string& what);
     void repeat(long long ms, experiment::session::Key key);
     void let_go(long long ms, experiment::session::Key key);
     void lose_focus(long long ms);
@@ -43,11 +50,15 @@ class ScriptedSitting {
 
   private:
     void feed(long long ms, decltype(experiment::session::Input::what) what);
+    void come_of(long long ms, const std::vector<experiment::session::Effect>& effects);
+    void settle(long long ms);
+    experiment::session::Monotonic true_time(long long ms) const;
     void write(long long ms, const std::vector<experiment::session::Effect>& effects);
     void look(long long ms);
 
     experiment::session::Sitting sitting_;
     long long onset_delay_ms_;
+    long long settling_ms_ = 0; ///< of all answers so far, not on the diary's clock
     int seen_ = 0;
     std::vector<std::string> diary_;
     std::size_t told_ = 0;

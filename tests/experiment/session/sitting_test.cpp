@@ -135,7 +135,8 @@ TEST(Sitting, MarksAnAnswerWhoseKeyWasDownAtTheOnset) {
     sitting.advance({at(3501), Waited{}});
     sitting.advance({at(3502), OnsetSeen{"scripted"}});
     sitting.advance({at(4000), LetGo{Key::Left}});
-    const auto effects = sitting.advance({at(4502), Pressed{Key::Left}});
+    EXPECT_TRUE(sitting.advance({at(4502), Pressed{Key::Left}}).empty());
+    const auto effects = sitting.advance({at(4512), Waited{}});
     ASSERT_EQ(effects.size(), 1u);
     const auto vote = std::get<experiment::store::MainVote>(effects[0]);
     EXPECT_TRUE(vote.held_key);
@@ -157,13 +158,17 @@ TEST(Sitting, ShowsNothingAfterAVoteUntilItIsStored) {
     sitting.advance({at(3001), Waited{}});
     sitting.advance({at(3501), Waited{}});
     sitting.advance({at(3502), OnsetSeen{"scripted"}});
-    ASSERT_EQ(sitting.advance({at(4000), Pressed{Key::Left}}).size(), 1u);
+    sitting.advance({at(4000), Pressed{Key::Left}});
+    EXPECT_EQ(sitting.wake_at(), at(4010));
+    ASSERT_EQ(sitting.advance({at(4010), Waited{}}).size(), 1u);
     EXPECT_EQ(sitting.view(), View(GreyView{}));
     EXPECT_EQ(sitting.wake_at(), std::nullopt);
     sitting.advance({at(9000), Waited{}});
     EXPECT_EQ(sitting.view(), View(GreyView{}));
-    sitting.advance({{}, VoteStored{}});
-    EXPECT_EQ(sitting.wake_at(), at(4500)); // the grey began with the answer
+    sitting.advance({at(9100), VoteStored{}});
+    EXPECT_EQ(sitting.wake_at(), at(9600));
+    sitting.advance({at(9103), OnsetSeen{"scripted"}});
+    EXPECT_EQ(sitting.wake_at(), at(9603)); // the grey counts from when it is seen
 }
 
 TEST(Sitting, SaysHowMuchLongerTheGreyWasThanPlanned) {

@@ -4,9 +4,12 @@
 #include "tests/experiment/store/small_sitting.h"
 #include "tests/experiment/store/temporary_folder.h"
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <csignal>
 #include <fstream>
 #include <iterator>
 
@@ -162,9 +165,9 @@ TEST_F(StoreDamage, AnotherProgramsDatabaseIsRefused) {
 }
 
 TEST_F(StoreDamage, AnotherSchemaVersionIsRefused) {
-    tamper("PRAGMA user_version = 2");
-    EXPECT_THAT(error_of_opening(), HasSubstr("has schema version 2, expected 1"));
-    EXPECT_THAT(open_votes(file_).error(), HasSubstr("has schema version 2, expected 1"));
+    tamper("PRAGMA user_version = 3");
+    EXPECT_THAT(error_of_opening(), HasSubstr("has schema version 3, expected 1 to 2"));
+    EXPECT_THAT(open_votes(file_).error(), HasSubstr("has schema version 3, expected 1 to 2"));
 }
 
 TEST_F(StoreDamage, AnotherStudysVotesAreRefused) {
@@ -181,6 +184,82 @@ TEST_F(StoreDamage, AnotherProgramThatIsWritingIsNamed) {
     other.execute("BEGIN IMMEDIATE");
     EXPECT_THAT(error_of_opening(),
                 AllOf(HasSubstr(file_.string()), HasSubstr("another program is writing to it")));
+}
+
+/// An open sitting beside the finished one, its main trials shown and not answered.
+class OpenSitting : public StoreDamage {
+  protected:
+    void SetUp() override {
+        StoreDamage::SetUp();
+        store_ = *open_or_create_votes(file_, tests::study);
+        ASSERT_TRUE(store_->add_observer({"P2"}, "2026-03-01T08:59:00.000Z"));
+        ASSERT_TRUE(store_->begin_sitting(tests::start_of(open_), tests::small_plan()));
+        for (const int trial : {3, 4, 5})
+            ASSERT_TRUE(store_->append_shown(open_, tests::shown(trial)));
+    }
+
+    std::unique_ptr<VoteStore> store_;
+    const SittingKey open_ = tests::sitting_of("P2");
+};
+
+TEST_F(OpenSitting, RefusesAVoteWhileAnotherProgramHoldsTheFileAndTakesItAfterwards) {
+    {
+        SqliteDatabase other(file_, WhenMissing::Fail);
+        other.execute("BEGIN IMMEDIATE");
+        EXPECT_THAT(store_->append_vote(open_, tests::vote(3, Choice::Left)).error(),
+                    HasSubstr("another program is writing to it"));
+        EXPECT_THAT(store_->votes()->size(), 3u); // the finished sitting's
+    }
+    EXPECT_TRUE(store_->append_vote(open_, tests::vote(3, Choice::Left)));
+    EXPECT_EQ(store_->votes()->size(), 4u);
+    EXPECT_THAT(*store_->verify(), IsEmpty());
+}
+
+/// Files of this process cannot grow beyond a size while this lives, as on a full disk.
+class FullDisk {
+  public:
+    explicit FullDisk(std::uintmax_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        rlimit limit = before_;
+        limit.rlim_cur = bytes;
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+
+    ~FullDisk() {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+
+  private:
+    void (*handler_)(int);
+    rlimit before_{};
+};
+
+TEST_F(OpenSitting, LosesNoVoteToAFullDiskAndInventsNone) {
+    std::size_t kept = 0;
+    {
+        const FullDisk full(std::filesystem::file_size(file_));
+        const SittingEvent long_event{"remark", std::string(3000, 'x'), 0, ""};
+        bool failed = false;
+        for (int i = 0; i < 10 && !failed; ++i)
+            failed = !store_->append_event(open_, long_event);
+        EXPECT_TRUE(failed) << "the disk was never full";
+        for (const int trial : {3, 4, 5})
+            if (store_->append_vote(open_, tests::vote(trial, Choice::Right)))
+                ++kept;
+        EXPECT_EQ(store_->votes()->size(), 3 + kept);
+    }
+    EXPECT_EQ((*open_votes(file_))->votes()->size(), 3 + kept);
+    EXPECT_THAT(findings(), IsEmpty());
+    const auto again = open_or_create_votes(file_, tests::study);
+    ASSERT_TRUE(again) << again.error();
+    const auto votes = (**(*again)->sitting(open_)).votes;
+    for (const int trial : {3, 4, 5})
+        if (std::ranges::find(votes, trial, &MainVote::trial) == votes.end()) {
+            EXPECT_TRUE((*again)->append_vote(open_, tests::vote(trial, Choice::Right)));
+        }
+    EXPECT_EQ((*again)->votes()->size(), 6u);
+    EXPECT_THAT(findings(), IsEmpty());
 }
 
 TEST_F(StoreDamage, AMissingStoreIsSaidToBeMissing) {

@@ -50,7 +50,7 @@ class PicturePassTest : public testing::Test {
         const auto pass = gpu::ScreenPass::link(fragment);
         ASSERT_TRUE(pass) << pass.error();
         const auto drawing = target.draw_into();
-        pass->run();
+        pass->run({0, 0, width, height});
     }
 
     gpu::Picture8 shown(Composition composition) {

@@ -1,0 +1,226 @@
+// How people are asked, read strictly.  The form is documented in docs/study-file.md.
+#include "protocols/session_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace protocols {
+
+namespace {
+
+std::optional<double> gamma_of(const std::string& text) {
+    constexpr std::string_view kind = "gamma:";
+    if (!text.starts_with(kind))
+        return std::nullopt;
+    double gamma = 0;
+    const auto* last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data() + kind.size(), last, gamma);
+    return error == std::errc() && end == last && gamma >= 1 && gamma <= 4 ? std::optional(gamma)
+                                                                           : std::nullopt;
+}
+
+bool is_inside(const std::string& file) {
+    return !file.empty() && !file.starts_with("/") && file.find("..") == std::string::npos;
+}
+
+Eotf read_eotf(Section& section) {
+    Eotf eotf;
+    const auto text = section.text("eotf", "srgb");
+    const auto gamma = gamma_of(text);
+    if (gamma) {
+        eotf.kind = Eotf::Kind::Gamma;
+        eotf.gamma = *gamma;
+    } else if (text.starts_with("table:") && is_inside(text.substr(6))) {
+        eotf.kind = Eotf::Kind::Measured;
+        eotf.file = text.substr(6);
+    } else if (text != "srgb" && !text.empty()) {
+        section.refuse("eotf", "\"srgb\", \"gamma:2.2\" (1 to 4) or \"table:FILE\", measurements "
+                               "inside the study folder");
+    }
+    return eotf;
+}
+
+// With a table that is still to be read, the grey is found again once it is.
+Surround read_surround(Section& section, const Eotf& eotf) {
+    const auto definition = section.text("surround", "code:128");
+    const auto surround =
+        surround_of(definition, eotf.kind == Eotf::Kind::Measured ? Eotf{} : eotf);
+    if (!surround && !definition.empty())
+        section.refuse("surround", "\"code:0\" to \"code:255\", the grey's 8-bit code value, or "
+                                   "\"lstar:50\" (0 to 100) or \"linear:0.5\" (0 to 1), its light");
+    return surround.value_or(Surround{});
+}
+
+void read_display(Section section, Study& study) {
+    auto& display = study.display;
+    display.eotf = read_eotf(section);
+    study.surround = read_surround(section, display.eotf);
+    section.number("screen_width_mm", {1, 100000}, display.screen_width_mm);
+    section.number("distance_mm", {1, 100000}, display.distance_mm);
+    section.whole("photodiode_px", {0, 500}, display.photodiode_px);
+    section.number("text_scale", {0.5, 3}, display.text_scale);
+    display.high_contrast =
+        section.one_of("text", {"plain", "high-contrast"}, "plain") == "high-contrast";
+    section.expect_nothing_else();
+}
+
+void read_room(Section section, Room& room) {
+    const auto measured = [&](const char* key, Range<double> range, std::optional<double>& value) {
+        if (!section.has(key))
+            return;
+        value = 0;
+        section.number(key, range, *value);
+    };
+    measured("peak_cd_m2", {1, 10000}, room.peak_cd_m2);
+    measured("black_ratio", {0, 1}, room.black_ratio);
+    measured("screen_off_ratio", {0, 1}, room.screen_off_ratio);
+    measured("background_ratio", {0, 1}, room.background_ratio);
+    measured("ambient_lux", {0, 100000}, room.ambient_lux);
+    measured("max_angle_deg", {0, 90}, room.max_angle_deg);
+    room.background_white = section.text("background_white", "");
+    section.expect_nothing_else();
+}
+
+template <class Enum>
+Enum read_word(Section& section,
+               const char* key,
+               const std::vector<std::pair<std::string, Enum>>& words) {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : words)
+        names.push_back(name);
+    const auto word = section.one_of(key, names, names.front());
+    const auto found = std::find(names.begin(), names.end(), word);
+    return found == names.end() ? words.front().second
+                                : words[static_cast<std::size_t>(found - names.begin())].second;
+}
+
+SessionPlan read_plan(Section section) {
+    SessionPlan plan;
+    section.whole("sessions", {1, 100}, plan.sessions);
+    section.whole("days_apart", {0, 365}, plan.days_apart);
+    section.whole("warm_ups", {0, 100}, plan.warm_ups);
+    section.whole("training", {0, 100}, plan.training);
+    section.whole("repetitions", {1, 100}, plan.repetitions);
+    section.whole("grey_ms", {0, 60000}, plan.grey_ms);
+    section.whole("closed_ms", {0, 10000}, plan.closed_ms);
+    section.whole("adapt_s", {0, 3600}, plan.adapt_s);
+    section.whole("break_every", {0, 10000}, plan.break_every);
+    section.whole("gap_px", {16, 2000}, plan.gap_px);
+    section.whole("view_ms", {0, 600000}, plan.view_ms);
+    section.whole("between_ms", {0, 60000}, plan.between_ms);
+    section.whole("longest_minutes", {0, 600}, plan.longest_minutes);
+    plan.response = read_word<Response>(section, "response",
+                                        {{"forced-choice", Response::ForcedChoice},
+                                         {"not-sure", Response::WithNotSure},
+                                         {"seven-grades", Response::SevenGrades}});
+    plan.presentation = read_word<Presentation>(section, "presentation",
+                                                {{"side-by-side", Presentation::SideBySide},
+                                                 {"sequential", Presentation::Sequential},
+                                                 {"flip", Presentation::Flip}});
+    if (plan.presentation == Presentation::Sequential && plan.view_ms == 0)
+        section.note("presentation", "pictures in sequence have no 'view_ms' in [session], "
+                                     "expected how long each of them is seen");
+    if (const auto reference = section.text("reference", ""); !reference.empty())
+        plan.reference = ConditionId{reference};
+    section.expect_nothing_else();
+    return plan;
+}
+
+KeyMap read_keys(Section section) {
+    auto keys = standard_keys();
+    std::map<std::string, Action> taken;
+    for (const auto action : all_actions()) {
+        const auto name = name_of(action);
+        if (section.has(name))
+            keys[action] = section.several_of(name, key_names());
+        for (const auto& key : keys[action])
+            if (const auto [earlier, is_new] = taken.emplace(key, action); !is_new)
+                section.note(name, fmt::format("the key '{}' means both '{}' and '{}' in [keys], "
+                                               "expected one meaning",
+                                               key, name_of(earlier->second), name));
+    }
+    section.expect_nothing_else();
+    return keys;
+}
+
+Instructions read_instructions(Section section) {
+    Instructions instructions;
+    instructions.language = section.text("language", instructions.language);
+    const auto file = section.text("file", instructions.file);
+    if (file.starts_with("/") || file.find("..") != std::string::npos)
+        section.refuse("file", "a file inside the study folder");
+    instructions.file = file;
+    section.expect_nothing_else();
+    return instructions;
+}
+
+ObserverQuestion read_question(Section section) {
+    ObserverQuestion question;
+    question.line = section.line();
+    question.id = section.id();
+    question.ask = section.text("ask");
+    if (section.has("choices")) {
+        question.choices = section.several("choices");
+        if (section.has("passes"))
+            question.passes = section.several_of("passes", question.choices);
+    } else {
+        question.kind = ObserverQuestion::Kind::Number;
+        question.greatest = 1e6;
+        section.number("least", {-1e6, 1e6}, question.least);
+        section.number("greatest", {-1e6, 1e6}, question.greatest);
+        const auto limit = [&](const char* key, std::optional<double>& value) {
+            if (!section.has(key))
+                return;
+            value = 0;
+            section.number(key, {question.least, question.greatest}, *value);
+        };
+        limit("passes_from", question.passes_from);
+        limit("passes_up_to", question.passes_up_to);
+    }
+    section.expect_nothing_else();
+    return question;
+}
+
+// A study without the table asks nothing of observers; one with it asks what BT.500 wants known.
+void read_panel(Section& file, Panel& panel) {
+    if (file.has("observer")) {
+        auto section = file.table("observer", false);
+        section.whole("required", {1, 1000}, panel.required);
+        panel.consent = section.one_of("consent", {"asked", "not asked"}, "asked") == "asked";
+        if (section.one_of("questions", {"standard", "own"}, "standard") == "standard")
+            panel.questions = standard_questions();
+        section.expect_nothing_else();
+    }
+    for (auto& each : file.tables("question")) {
+        auto question = read_question(each);
+        if (std::any_of(panel.questions.begin(), panel.questions.end(),
+                        [&](const auto& other) { return other.id == question.id; }))
+            each.refuse("id", "an id that no other question has");
+        panel.questions.push_back(std::move(question));
+    }
+}
+
+} // namespace
+
+void read_session_tables(Section& file, Study& study) {
+    read_display(file.table("display", false), study);
+    read_room(file.table("room", false), study.room);
+    study.plan = read_plan(file.table("session", false));
+    study.keys = read_keys(file.table("keys", false));
+    study.instructions = read_instructions(file.table("instructions", false));
+    read_panel(file, study.panel);
+}
+
+void expect_known_reference(Section& file, const Study& study) {
+    const auto& reference = study.plan.reference;
+    if (reference && std::none_of(study.conditions.begin(), study.conditions.end(),
+                                  [&](const auto& each) { return each.id == *reference; }))
+        file.note("session", fmt::format("reference '{}' in [session] is no [[condition]] of this "
+                                         "study, expected the id of one",
+                                         reference->value));
+}
+
+} // namespace protocols

@@ -1,0 +1,100 @@
+#include "protocols/questions.h"
+#include "protocols/study.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace protocols;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string head = R"([study]
+id = "s"
+title = "T"
+question = "Q?"
+seed = 1
+width = 16
+height = 16
+[[scene]]
+id = "a"
+[[condition]]
+id = "x"
+source = "images"
+[[condition]]
+id = "y"
+source = "images"
+[[condition]]
+id = "z"
+source = "images"
+)";
+
+Expected<Study> parsed(const std::string& rest) {
+    return parse_study(head + rest, "study.toml", {});
+}
+
+TEST(SessionTables, MayAllBeMissing) {
+    const auto study = parsed("");
+    ASSERT_TRUE(study) << study.error();
+    EXPECT_EQ(study->plan.response, Response::ForcedChoice);
+    EXPECT_EQ(study->plan.longest_minutes, 30);
+    EXPECT_EQ(study->keys, standard_keys());
+    EXPECT_EQ(study->surround.code, 128);
+    EXPECT_FALSE(study->panel.consent);
+    EXPECT_TRUE(study->panel.questions.empty());
+    EXPECT_EQ(study->room.ambient_lux, std::nullopt);
+}
+
+TEST(SessionTables, SayHowPairsAreShownAndAnswered) {
+    const auto study = parsed("[session]\nresponse = \"seven-grades\"\npresentation = "
+                              "\"sequential\"\nview_ms = 10000\nreference = \"z\"\n");
+    ASSERT_TRUE(study) << study.error();
+    EXPECT_EQ(study->plan.response, Response::SevenGrades);
+    EXPECT_EQ(study->plan.presentation, Presentation::Sequential);
+    EXPECT_EQ(study->plan.reference, ConditionId{"z"});
+    EXPECT_EQ(all_questions(*study).size(), 1u); // x and y; nothing is compared with the reference
+}
+
+TEST(SessionTables, RefuseAReferenceThatIsNothingOrLeavesNothing) {
+    EXPECT_THAT(parsed("[session]\nreference = \"w\"\n").error(),
+                HasSubstr("reference 'w' in [session] is no [[condition]]"));
+    EXPECT_THAT(parsed("[session]\npresentation = \"sequential\"\n").error(),
+                HasSubstr("have no 'view_ms'"));
+}
+
+TEST(SessionTables, FindTheGreyByTheCurveOfTheDisplay) {
+    EXPECT_EQ(parsed("[display]\nsurround = \"linear:0.5\"\n")->surround.code, 188);
+    EXPECT_EQ(parsed("[display]\nsurround = \"linear:0.5\"\neotf = \"gamma:2.2\"\n")->surround.code,
+              186);
+    EXPECT_EQ(parsed("[display]\neotf = \"table:cal.csv\"\n")->display.eotf.file, "cal.csv");
+    EXPECT_THAT(parsed("[display]\neotf = \"gamma:9\"\n").error(), HasSubstr("study.toml:18"));
+    EXPECT_THAT(parsed("[display]\neotf = \"table:../x\"\n").error(), HasSubstr("\"table:FILE\""));
+    EXPECT_THAT(parsed("[display]\nsurround = \"grey\"\n").error(), HasSubstr("code:0"));
+}
+
+TEST(SessionTables, GiveKeysOneMeaning) {
+    EXPECT_THAT(
+        parsed("[keys]\nleft = [\"A\", \"KP_1\"]\nmuch_worse = [\"1\"]\n")->keys.at(Action::Left),
+        ElementsAre("A", "KP_1"));
+    EXPECT_THAT(parsed("[keys]\nleft = [\"Space\"]\n").error(),
+                HasSubstr("the key 'Space' means both 'left' and 'forward'"));
+    EXPECT_THAT(parsed("[keys]\nleft = [\"Lefty\"]\n").error(), HasSubstr("did you mean 'Left'?"));
+    EXPECT_THAT(parsed("[keys]\nleft = []\n").error(), HasSubstr("a list of texts"));
+}
+
+TEST(SessionTables, AskWhatTheStudyWantsToKnow) {
+    const auto study = parsed("[observer]\nrequired = 20\n[[question]]\nid = \"hand\"\nask = "
+                              "\"Writing hand\"\nchoices = [\"left\", \"right\"]\n[[question]]\nid "
+                              "= \"hours\"\nask = \"Hours of sleep\"\nleast = 0\ngreatest = "
+                              "24\npasses_from = 4\n");
+    ASSERT_TRUE(study) << study.error();
+    EXPECT_TRUE(study->panel.consent);
+    EXPECT_EQ(study->panel.required, 20);
+    ASSERT_EQ(study->panel.questions.size(), standard_questions().size() + 2);
+    EXPECT_FALSE(passes(study->panel.questions.back(), "3"));
+    EXPECT_THAT(parsed("[observer]\n[[question]]\nid = \"age\"\nask = \"Age\"\n").error(),
+                HasSubstr("an id that no other question has"));
+}
+
+} // namespace
