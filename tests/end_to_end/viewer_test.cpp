@@ -37,11 +37,13 @@ void write_ball(const std::filesystem::path& file) {
     write_file(file, text);
 }
 
-/// The key that chooses a method for a model by itself.
-std::string key_of(std::string_view method) {
+/// Keys that choose a method for a model by itself: back from the first, through the last.
+std::vector<std::string> keys_to(std::string_view method) {
     const auto all = renderer::methods::catalogue();
     const auto found = std::ranges::find(all, method, &renderer::methods::Description::name);
-    return fmt::format("{}", found - all.begin() + 1);
+    std::vector<std::string> keys{"1"};
+    keys.resize(1 + static_cast<std::size_t>(all.end() - found), "Shift+M");
+    return keys;
 }
 
 int code(const EncodedImage& image, int x, int y, int channel) {
@@ -94,6 +96,11 @@ class ViewerWindow : public testing::Test {
                << "the viewer did not come to show it; it said: " << read_file(folder / "stderr");
     }
 
+    void choose(std::string_view method) {
+        for (const auto& key : keys_to(method))
+            screen.press(key == "Shift+M" ? "shift+m" : key);
+    }
+
     TemporaryFolder folder;
     VirtualScreen screen{1280, 800};
     std::unique_ptr<RunningProgram> program;
@@ -105,9 +112,9 @@ TEST_F(ViewerWindow, IsDrivenByKeysAlone) {
         return code(image, 1270, 790, 0) == 128 && colours_in_the_middle(image) > 20;
     }));
 
-    screen.press(key_of("constant"));
+    choose("constant");
     screen.press("Tab");
-    screen.press(key_of("phong"));
+    choose("phong");
     ASSERT_TRUE(comes_to_show(
         [](const EncodedImage& image) { return across_the_line(image) <= 3; })); // Phong alone
     screen.press("s");
@@ -143,6 +150,17 @@ Outcome view_without_display(std::vector<std::string> arguments) {
     return run(command);
 }
 
+/// The ball's thickness as the method has it.
+Outcome
+take_picture(const TemporaryFolder& folder, std::string_view method, const std::string& file) {
+    write_ball(folder / "ball.off");
+    std::vector<std::string> arguments{folder / "ball.off", "--screenshot", file, "--press"};
+    for (const auto& key : keys_to(method))
+        arguments.push_back(key);
+    arguments.emplace_back("T");
+    return view_without_display(arguments);
+}
+
 TEST(ViewerWithoutDisplay, SaysSo) {
     const auto outcome = view_without_display({"slab"});
     EXPECT_EQ(outcome.status, 1);
@@ -152,10 +170,8 @@ TEST(ViewerWithoutDisplay, SaysSo) {
 
 TEST(ViewerWithoutDisplay, TakesAPictureAllTheSame) {
     const TemporaryFolder folder;
-    write_ball(folder / "ball.off");
     const auto file = folder / "thickness.png";
-    const auto outcome = view_without_display(
-        {folder / "ball.off", "--press", key_of("constant"), "T", "--screenshot", file});
+    const auto outcome = take_picture(folder, "constant", file);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     const auto picture = renderer::imaging::read_encoded(file);
     ASSERT_TRUE(picture) << picture.error();
@@ -166,10 +182,8 @@ TEST(ViewerWithoutDisplay, TakesAPictureAllTheSame) {
 
 TEST(ViewerWithoutDisplay, FailsWhenAPictureCannotBeWhatWasAskedFor) {
     const TemporaryFolder folder;
-    write_ball(folder / "ball.off");
     const auto file = folder / "thickness.png";
-    const auto outcome = view_without_display(
-        {folder / "ball.off", "--press", key_of("phong"), "T", "--screenshot", file});
+    const auto outcome = take_picture(folder, "phong", file);
     EXPECT_EQ(outcome.status, 1);
     EXPECT_THAT(outcome.err, HasSubstr("Phong has no thickness"));
     EXPECT_FALSE(std::filesystem::exists(file));
