@@ -37,6 +37,23 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+renderer::LinearRgb colour_of(const std::array<double, 3>& rgb) {
+    return {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
+}
+
+/// The scene with the coefficients that the condition has of its own there, if it has any.
+renderer::Scene
+as_shaded(renderer::Scene scene, const Rendering& rendering, const protocols::SceneId& id) {
+    if (const auto own = rendering.k.find(id.value); own != rendering.k.end()) {
+        auto& k = scene.material.reflectance;
+        k.ambient = colour_of(own->second.ambient);
+        k.diffuse = colour_of(own->second.diffuse);
+        k.specular = colour_of(own->second.specular);
+        k.scatter = colour_of(own->second.scatter);
+    }
+    return scene;
+}
+
 } // namespace
 
 /// A picture as drawn, before its brightness is matched.
@@ -123,8 +140,10 @@ SceneRenderer::draw_all(const protocols::Variant& variant) {
 Expected<SceneRenderer::Drawn> SceneRenderer::draw(Contender& contender,
                                                    const renderer::Scene& scene) const {
     const auto start = Clock::now();
-    auto image =
-        methods::render_picture(*contender.method, scene, study_->width, study_->height, samples_);
+    auto image = methods::render_picture(
+        *contender.method,
+        as_shaded(scene, std::get<Rendering>(contender.condition->source), scene_->id),
+        study_->width, study_->height, samples_);
     if (!image)
         return tl::unexpected(image.error());
     PictureRecord record;
@@ -217,6 +236,44 @@ Expected<std::map<Picture, PictureRecord>> SceneRenderer::render(const protocols
         records.emplace(picture, std::move(record));
     }
     return records;
+}
+
+Expected<std::vector<Fit>>
+SceneRenderer::fit(const std::vector<protocols::Variant>& variants,
+                   const protocols::VariantId& held_out,
+                   const std::map<protocols::VariantId, imaging::LinearImage>& targets) {
+    std::vector<Fit> fits;
+    for (auto& contender : contenders_) {
+        if (contender.method == nullptr)
+            continue;
+        methods::ReflectanceFit best;
+        std::optional<methods::LightPictures> test;
+        for (const auto& variant : variants) {
+            const auto scene = lit_scene(*study_, *scene_, variant, model_.mesh);
+            if (!scene)
+                return tl::unexpected(scene.error());
+            auto terms = methods::term_pictures(*contender.method, *scene, study_->width,
+                                                study_->height, samples_);
+            if (!terms)
+                return tl::unexpected(terms.error());
+            methods::LightPictures pictures{std::move(*terms), targets.at(variant.id)};
+            if (variant.id == held_out)
+                test = std::move(pictures);
+            else if (auto added = best.add_training_light(pictures); !added)
+                return tl::unexpected(
+                    fmt::format("variant \"{}\": {}", variant.id.value, added.error()));
+        }
+        const auto result = best.best();
+        Fit fit{scene_->id, contender.condition->id, result, {}};
+        if (test) {
+            const auto error = methods::fit_error(result.reflectance, *test);
+            if (!error)
+                return tl::unexpected(error.error());
+            fit.held_out_error = *error;
+        }
+        fits.push_back(std::move(fit));
+    }
+    return fits;
 }
 
 } // namespace experiment::stimuli

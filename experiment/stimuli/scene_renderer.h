@@ -5,6 +5,8 @@
 #include "experiment/stimuli/manifest.h"
 #include "experiment/study_folder.h"
 #include "protocols/study.h"
+#include "renderer/imaging/linear_image.h"
+#include "renderer/methods/fitting.h"
 #include "renderer/methods/method.h"
 
 #include <tl/expected.hpp>
@@ -24,6 +26,14 @@ namespace experiment::stimuli {
 std::filesystem::path png_file(const StudyFolder& folder, const protocols::Picture& picture);
 std::filesystem::path exr_file(const StudyFolder& folder, const protocols::Picture& picture);
 
+/// The coefficients with which a condition comes nearest to given pictures of a scene.
+struct Fit {
+    protocols::SceneId scene;
+    protocols::ConditionId condition;
+    renderer::methods::ReflectanceFit::Result best;
+    std::optional<renderer::methods::RelativeError> held_out_error; ///< of the light left out
+};
+
 /// Needs a current OpenGL context, and has to be gone before that is.
 class SceneRenderer {
   public:
@@ -39,6 +49,14 @@ class SceneRenderer {
     /// Draws all rendered conditions under one light, equalises their brightness and writes them.
     tl::expected<std::map<protocols::Picture, PictureRecord>, std::string>
     render(const protocols::Variant& variant, const StudyFolder& folder);
+
+    /// Fits every condition that is drawn to the targets, one for each variant, all lights but the
+    /// one held out (none by an empty id) together.
+    /// Errors: targets of another size or without a pixel in common.  EXPECTS a target for each.
+    tl::expected<std::vector<Fit>, std::string>
+    fit(const std::vector<protocols::Variant>& variants,
+        const protocols::VariantId& held_out,
+        const std::map<protocols::VariantId, renderer::imaging::LinearImage>& targets);
 
     const ModelRecord& model() const { return model_.record; }
 

@@ -440,6 +440,20 @@ TEST(StudyFile, WithADialItsMethodCannotTakeIsRefused) {
                 testing::HasSubstr("both 'method' and 'source'"));
 }
 
+TEST(StudyFile, MayGiveAConditionCoefficientsOfItsOwn) {
+    const std::string k = "[condition.k.bunny]\nambient = [0, 0, 0]\ndiffuse = [0.1, 0.2, 0.3]\n"
+                          "scatter = [1, 1, 1]\n";
+    const auto study = parsed(minimal + k);
+    EXPECT_EQ(std::get<Rendering>(study.conditions.at(1).source).k,
+              (std::map<std::string, ShadingCoefficients>{
+                  {"bunny", {{0, 0, 0}, {0.1, 0.2, 0.3}, {0, 0, 0}, {1, 1, 1}}}}));
+    EXPECT_EQ(complaint(minimal + "[condition.k.horse]\n"),
+              "18: condition 'plain' has coefficients for 'horse', expected the id of a scene");
+    EXPECT_THAT(complaint(minimal + k + "gloss = 3\n"), testing::HasSubstr("unknown key 'gloss'"));
+    EXPECT_THAT(complaint(minimal + "[condition.k.bunny]\ndiffuse = [-1, 0, 0]\n"),
+                testing::HasSubstr("expected three numbers"));
+}
+
 TEST(StudyFile, SaysOfAReconstructionThatItIsOne) {
     const auto label = [](const std::string& lines) {
         return parsed(changed("method = \"phong\"", "method = \"guess\"\n" + lines))
