@@ -6,6 +6,7 @@
 #include "protocols/digest.h"
 #include "renderer/geometry/mesh_repair.h"
 #include "renderer/geometry/model_library.h"
+#include "renderer/geometry/morton_order.h"
 
 #include <filesystem>
 #include <variant>
@@ -46,7 +47,8 @@ tl::expected<LoadedModel, std::string> load_model(const std::string& name,
         return tl::unexpected(prepared.error());
     record->vertices = prepared->mesh.positions.size();
     record->triangles = prepared->mesh.triangles.size();
-    return LoadedModel{std::move(prepared->mesh), std::move(*record), describe(prepared->repairs)};
+    return LoadedModel{geometry::along_morton_curve(prepared->mesh), std::move(*record),
+                       describe(prepared->repairs)};
 }
 
 } // namespace experiment
