@@ -7,6 +7,7 @@
 #include "experiment/text_files.h"
 #include "experiment/traced_fields.h"
 #include "protocols/digest.h"
+#include "renderer/geometry/morton_order.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/image_files.h"
 #include "renderer/methods/catalogue.h"
@@ -76,6 +77,8 @@ Expected<SceneRenderer> SceneRenderer::prepare(const protocols::Study& study,
                                                LoadedModel model,
                                                int samples,
                                                const std::function<void(double)>& progress) {
+    // Neighbours in one block of coefficients, and in one line of the cache.
+    model.mesh = renderer::geometry::along_morton_curve(model.mesh);
     SceneRenderer scene_renderer(study, scene, std::move(model), samples);
     if (auto prepared = scene_renderer.prepare_contenders(progress); !prepared)
         return tl::unexpected(prepared.error());

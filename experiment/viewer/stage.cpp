@@ -2,6 +2,7 @@
 #include "experiment/viewer/stage.h"
 
 #include "experiment/staging.h"
+#include "renderer/geometry/morton_order.h"
 #include "renderer/methods/catalogue.h"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ Stage::open(const Exhibit& exhibit, const Piece& piece, renderer::thickness::Pro
     auto model = load_model(piece.scene.model, exhibit.folder);
     if (!model)
         return tl::unexpected(model.error());
+    model->mesh = renderer::geometry::along_morton_curve(model->mesh); // as for stimuli
     auto surface = methods::Surface::upload(model->mesh);
     if (!surface)
         return tl::unexpected(surface.error());

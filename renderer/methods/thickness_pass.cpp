@@ -7,6 +7,7 @@
 #include "renderer/methods/shss_thickness.vert.h"
 
 #include <fmt/format.h>
+#include <glm/ext/vector_uint4.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
@@ -77,6 +78,22 @@ int used_bands(const BandWeights& weights) {
     return bands;
 }
 
+/// Ranges as the shader reads them: slot by slot, in each slot block by block; holes zero.
+std::vector<glm::uvec4> ranges_in_slots(std::span<const thickness::Stream> streams,
+                                        std::size_t blocks) {
+    std::vector<glm::uvec4> ranges;
+    for (const auto& stream : streams) {
+        const auto components = stream.scale.size();
+        const auto first = ranges.size();
+        ranges.resize(first + (components + 3) / 4 * blocks, glm::uvec4(0));
+        for (std::size_t b = 0; b < blocks; ++b)
+            for (std::size_t k = 0; k < components; ++k)
+                ranges[first + k / 4 * blocks + b][static_cast<int>(k % 4)] =
+                    stream.blocks[b * components + k];
+    }
+    return ranges;
+}
+
 /// What a stored component is multiplied by: its stream's scale and its band's weight.
 std::vector<double> coefficient_scales(std::span<const thickness::Stream> streams,
                                        const BandWeights& weights,
@@ -130,6 +147,14 @@ void append_near_lights(const Scene& scene,
 
 } // namespace
 
+ThicknessPass::ThicknessPass(std::shared_ptr<const Surface> surface,
+                             std::vector<thickness::Stream> kept)
+    : surface_(std::move(surface)), kept_(std::move(kept)),
+      blocks_(kept_.front().blocks.size() / kept_.front().scale.size()) {
+    if (blocks_ > 0)
+        ranges_.emplace(gpu::Buffer::holding<glm::uvec4>(ranges_in_slots(kept_, blocks_)));
+}
+
 Expected<ThicknessPass> ThicknessPass::prepare(std::shared_ptr<const Surface> surface,
                                                const thickness::ThicknessField& field,
                                                int bands,
@@ -166,6 +191,8 @@ Expected<void> ThicknessPass::run(const Scene& scene, const BandWeights& weights
     if (!thickness_ || thickness_->bytes() != bytes)
         thickness_.emplace(bytes);
     uniforms_->bind_uniform_block(1);
+    if (ranges_)
+        ranges_->bind_storage_block(0);
     (*pass)->run(inputs_.at(bands), surface_->vertex_count(), *thickness_);
     return {};
 }
@@ -191,8 +218,11 @@ Expected<const gpu::VertexPass*> ThicknessPass::program(int bands, const LightSe
     const Key key{bands, setup};
     if (const auto found = programs_.find(key); found != programs_.end())
         return &found->second;
-    const auto lines = defines(setup) +
-                       fmt::format("#define BANDS {}\n#define SLOTS {}\n", bands, slots_of(bands));
+    auto lines = defines(setup) +
+                 fmt::format("#define BANDS {}\n#define SLOTS {}\n", bands, slots_of(bands));
+    if (blocks_ > 0)
+        lines += fmt::format("#define BLOCKS {}\n#define BLOCK_VERTICES {}\n", blocks_,
+                             thickness::block_vertices);
     const std::array parts{gpu::ShaderPart{"defines", lines},
                            gpu::ShaderPart{"harmonics.glsl", harmonics_glsl},
                            gpu::ShaderPart{"shss_thickness.vert", shss_thickness_vert}};
@@ -207,7 +237,10 @@ std::size_t ThicknessPass::bytes_per_vertex() const {
     std::size_t bytes = 0;
     for (const auto& stream : streams_)
         bytes += stream.bytes();
-    return bytes / surface_->vertex_count();
+    if (ranges_)
+        bytes += ranges_->bytes();
+    const auto vertices = surface_->vertex_count();
+    return (bytes + vertices / 2) / vertices;
 }
 
 std::size_t ThicknessPass::bytes_per_light() const {

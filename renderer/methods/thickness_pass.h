@@ -43,7 +43,8 @@ class ThicknessPass {
     /// The thickness of the last run: mm, a row of one float for each light to a vertex.
     const gpu::Buffer& thickness() const { return *thickness_; }
 
-    std::size_t bytes_per_vertex() const; ///< of the coefficients on the GPU
+    /// Of the coefficients on the GPU, to the nearest, with the ranges of their blocks.
+    std::size_t bytes_per_vertex() const;
 
     std::size_t bytes_per_light() const; ///< of uniforms, at the last run
 
@@ -51,8 +52,7 @@ class ThicknessPass {
     /// One program for each number of bands and setup of lights.
     using Key = std::pair<int, LightSetup>;
 
-    ThicknessPass(std::shared_ptr<const Surface> surface, std::vector<thickness::Stream> kept)
-        : surface_(std::move(surface)), kept_(std::move(kept)) {}
+    ThicknessPass(std::shared_ptr<const Surface> surface, std::vector<thickness::Stream> kept);
 
     void send_bands(int bands);
     Expected<const gpu::VertexPass*> program(int bands, const LightSetup& setup);
@@ -60,6 +60,8 @@ class ThicknessPass {
     std::shared_ptr<const Surface> surface_;
     std::vector<thickness::Stream> kept_; ///< their bytes are dropped when they have been sent
     std::vector<gpu::Buffer> streams_;
+    std::size_t blocks_ = 0;                 ///< 0 for coefficients that need no ranges
+    std::optional<gpu::Buffer> ranges_;      ///< of all kept bands
     std::map<int, gpu::VertexArray> inputs_; ///< by number of bands
     std::map<Key, gpu::VertexPass> programs_;
     std::optional<gpu::Buffer> uniforms_;

@@ -1,5 +1,6 @@
 // What storing coefficients in fewer bytes changes in the picture: the share of the body's pixels
 // in which some channel is off by a code value of an 8-bit display or more, and the largest step.
+// Every model in the three materials and sizes of the study's scenes.
 //
 //   storage_bench MODEL...
 #include "renderer/gpu/context.h"
@@ -46,10 +47,19 @@ Off compare(const imaging::LinearImage& exact, const imaging::LinearImage& store
     return off;
 }
 
-void measure(const std::string& model) {
-    const auto mesh = load_mesh(model);
-    auto scene = scene_of(mesh, size, size);
-    const Workbench workbench(mesh, scene);
+struct Matter {
+    std::string name;
+    Millimetres diameter;
+};
+
+const std::array<Matter, 3> matters{{{"marble", {100}}, {"skim-milk", {100}}, {"skin2", {60}}}};
+
+void measure(const std::string& model,
+             const geometry::Mesh& mesh,
+             const Workbench& workbench,
+             const Matter& matter) {
+    auto scene = scene_of(mesh, size, size, matter.diameter);
+    scene.material = *measured_material(matter.name);
     const std::vector<std::pair<std::string, glm::dvec3>> lights{
         {"back", {0, 0.3, -1}}, {"front", {0.3, 0.3, 1}}, {"left", {-1, 0.2, 0.2}}};
     for (const std::string law : {"paper", "physical"})
@@ -63,8 +73,9 @@ void measure(const std::string& model) {
             const auto exact = draw("float32");
             for (const std::string type : {"float16", "int8"}) {
                 const auto off = compare(exact, draw(type));
-                fmt::print("| {} | {} | {} | {} | {:.3f} % | {:.2f} |\n", model, law, name, type,
-                           100 * off.share, off.largest);
+                fmt::print("| {} | {}, {} mm | {} | {} | {} | {:.3f} % | {:.2f} |\n", model,
+                           matter.name, matter.diameter.value, law, name, type, 100 * off.share,
+                           off.largest);
             }
         }
 }
@@ -74,11 +85,15 @@ void measure(const std::string& model) {
 int main(int argc, char** argv) {
     try {
         const auto context = value_or_throw(gpu::Context::surfaceless());
-        fmt::print(
-            "| model | law | light | stored as | off by a code value or more | largest, code "
-            "values |\n|---|---|---|---|---|---|\n");
-        for (int i = 1; i < argc; ++i)
-            measure(argv[i]);
+        fmt::print("| model | material | law | light | stored as | off by a code value or more | "
+                   "largest, code "
+                   "values |\n|---|---|---|---|---|---|---|\n");
+        for (int i = 1; i < argc; ++i) {
+            const auto mesh = load_mesh(argv[i]);
+            const Workbench workbench(mesh, scene_of(mesh, size, size));
+            for (const auto& matter : matters)
+                measure(argv[i], mesh, workbench, matter);
+        }
     } catch (const std::exception& error) {
         fmt::print(stderr, "storage_bench: {}\n", error.what());
         return EXIT_FAILURE;

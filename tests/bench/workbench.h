@@ -4,6 +4,7 @@
 #include "renderer/camera.h"
 #include "renderer/geometry/mesh_repair.h"
 #include "renderer/geometry/model_library.h"
+#include "renderer/geometry/morton_order.h"
 #include "renderer/materials.h"
 #include "renderer/methods/catalogue.h"
 
@@ -26,13 +27,13 @@ T value_or_throw(Expected<T> result) {
 
 inline geometry::Mesh load_mesh(const std::string& name) {
     const auto model = value_or_throw(geometry::find_model(name, {".", {"."}}));
-    return value_or_throw(geometry::prepare(value_or_throw(geometry::load_model(model)), name))
-        .mesh;
+    return geometry::along_morton_curve(
+        value_or_throw(geometry::prepare(value_or_throw(geometry::load_model(model)), name)).mesh);
 }
 
-/// 100 mm of marble, lit from behind.
-inline Scene scene_of(const geometry::Mesh& mesh, int width, int height) {
-    const Millimetres diameter{100};
+/// Marble, lit from behind.
+inline Scene
+scene_of(const geometry::Mesh& mesh, int width, int height, Millimetres diameter = {100}) {
     const Turntable table{.turn_degrees = 30, .elevation_degrees = 15};
     Scene scene;
     scene.placement = place(geometry::bounding_sphere(mesh), diameter, table);
