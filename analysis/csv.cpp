@@ -16,6 +16,11 @@ class Records {
     explicit Records(std::string_view text) : text_(text) {
         if (text_.starts_with("\xEF\xBB\xBF"))
             at_ = 3;
+        const auto first = text_.substr(0, text_.find_first_of("\r\n"));
+        if (first.find('\t') != first.npos)
+            separator_ = '\t';
+        else if (first.find(',') == first.npos && first.find(';') != first.npos)
+            separator_ = ';';
     }
 
     std::int64_t line() const { return first_line_; }
@@ -36,11 +41,13 @@ class Records {
     }
 
   private:
+    // A plain loop: searching for a set of characters costs three times as much on short fields.
     std::string_view plain() {
-        const auto end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
-        const auto field = text_.substr(at_, end - at_);
-        at_ = end;
-        return field;
+        const auto first = at_;
+        while (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' &&
+               text_[at_] != '\r')
+            ++at_;
+        return text_.substr(first, at_ - first);
     }
 
     std::string_view quoted(std::string& wrong) {
@@ -62,11 +69,11 @@ class Records {
         return value;
     }
 
-    /// Steps over a comma (true) or a line end (false).
+    /// Steps over a separator (true) or a line end (false).
     bool separator(std::string& wrong) {
         if (at_ >= text_.size())
             return false;
-        if (text_[at_] == ',') {
+        if (text_[at_] == separator_) {
             ++at_;
             return true;
         }
@@ -81,6 +88,7 @@ class Records {
     }
 
     std::string_view text_;
+    char separator_ = ',';
     std::size_t at_ = 0;
     std::int64_t line_ = 1;
     std::int64_t first_line_ = 1;

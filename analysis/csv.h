@@ -1,5 +1,6 @@
 // Comma-separated text as RFC 4180 has it: quotes, doubled quotes, line breaks inside quotes, CRLF,
-// and the byte-order mark that spreadsheets put in front.
+// and the byte-order mark that spreadsheets put in front.  Fields are apart by commas, by tabs
+// where the first line has one, or by semicolons where it has those and no comma.
 #pragma once
 
 #include "protocols/expected.h"

@@ -35,6 +35,10 @@ void name_the_ipsative(anova::WithinAnalysis& analysis) {
         }
 }
 
+anova::EtaInterval eta_interval(const anova::FTest& test, double level) {
+    return anova::eta_squared_interval(test.f, test.df1, test.df2, 1 - level);
+}
+
 std::string within_name(const std::vector<anova::Factor>& factors) {
     if (factors.size() == 1)
         return "rm_method";
@@ -49,6 +53,8 @@ void add_within(Findings& findings, const ScoreCells& cells) {
                       anova::within_observers_of_counts(cells.observers.size(), cells.factors,
                                                         cells.half_votes, cells.divisor)};
     name_the_ipsative(named.analysis);
+    for (auto& effect : named.analysis.effects)
+        effect.eta_interval = eta_interval(effect.test, findings.options.level);
     findings.within.push_back(std::move(named));
 }
 
@@ -68,6 +74,7 @@ OneWayFindings one_way_findings(const ScoreCells& cells,
     found.unit = unit;
     const auto groups = by_condition(cells);
     found.anova = anova::one_way_of_counts(groups, cells.divisor);
+    found.eta_interval = eta_interval(found.anova.test, level);
     found.levene = anova::levene(groups);
     found.brown_forsythe = anova::brown_forsythe(groups);
     found.welch = anova::welch(found.anova);
@@ -161,6 +168,8 @@ void default_analysis(Findings& findings, const ScoreCells& means) {
     findings.within_letters = letters_of(findings.within_tukey.pairs, ranked);
     findings.paired_t =
         anova::paired_t(means.half_votes, means.factors.back().levels, means.divisor, level);
+    findings.residuals =
+        anova::within_residuals(means.half_votes, means.factors.back().levels, means.divisor);
     findings.one_way_observers = one_way_findings(means, "observer mean", ranked, level);
     findings.transformed = {transformed(means, "rm_method_arcsine_sqrt_share", arcsine),
                             transformed(means, "rm_method_logit_plus_half", empirical_logit)};
@@ -182,6 +191,11 @@ void factorial_analyses(Findings& findings,
         score_cells(table, observers, with_factors(table, true, table.factors.size()));
     if (every && every->factors.size() > 2 && every->factors.size() <= 6)
         add_within(findings, *every);
+    if (const auto sittings = score_cells(table, observers, with_factors(table, true, 0));
+        sittings && sittings->factors.size() == 2)
+        findings.components = anova::variance_components(
+            sittings->half_votes, observers.size(), sittings->factors[0].levels,
+            sittings->factors[1].levels, sittings->divisor);
     const Scope rounds{true, true, std::vector<bool>(table.factors.size(), true)};
     if (const auto cells = score_cells(table, observers, rounds))
         findings.one_way_rounds =
@@ -239,10 +253,14 @@ Findings analyze(const VoteTable& table, const AnalysisOptions& options) {
         if (!(scope.session && !scope.factors.empty())) // single rounds are for the CSV
             for (auto& matrix : count_votes(table, scope))
                 findings.matrices.push_back(std::move(matrix));
+    findings.coverage = pair_coverage(findings.matrices[0].matrix);
     findings.scores = paper_scores(table);
     analyses_of_variance(findings, table);
     rank_conditions(findings);
     findings.consistency = consistency::summarize(table);
+    findings.screening = consistency::screen_observers(table);
+    findings.scales = scaling::fit_scales(
+        table, {options.level, options.bootstrap_replicates, options.bootstrap_seed});
     append_notes(findings, table);
     return findings;
 }

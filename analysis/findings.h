@@ -3,12 +3,18 @@
 #pragma once
 
 #include "analysis/anova/comparisons.h"
+#include "analysis/anova/effect_size.h"
 #include "analysis/anova/mixed.h"
 #include "analysis/anova/one_way.h"
 #include "analysis/anova/permutation.h"
+#include "analysis/anova/residuals.h"
+#include "analysis/anova/variance_components.h"
 #include "analysis/anova/within_observers.h"
 #include "analysis/consistency/consistency.h"
+#include "analysis/consistency/screening.h"
+#include "analysis/pair_coverage.h"
 #include "analysis/paper_score.h"
+#include "analysis/scaling/scales.h"
 #include "analysis/vote_matrix.h"
 #include "analysis/vote_table.h"
 
@@ -25,6 +31,8 @@ struct AnalysisOptions {
     std::string source_digest; ///< hash of that source, "" when unknown
     std::string program;       ///< name and version
     std::uint64_t permutation_seed = 20120924; ///< for designs too large to enumerate
+    std::uint64_t bootstrap_seed = 20120924;
+    int bootstrap_replicates = 2000;
     std::string group_name;                    ///< of `groups`, e.g. "sex"; "" for none
     std::map<std::string, std::string> groups; ///< observer to group, for every observer
 };
@@ -42,7 +50,8 @@ struct DesignFacts {
     std::int64_t rounds = 0; ///< observer, session and scene with at least one vote
     std::int64_t votes = 0;
     std::int64_t ties = 0;
-    std::int64_t missing = 0; ///< votes short of every pair in every round of every observer
+    std::int64_t missing = 0;  ///< votes short of every pair in every scene of every observer
+    bool missing_known = true; ///< false when nobody finished a scene: `missing` says nothing
     std::int64_t skipped_not_main = 0;
     bool complete = false; ///< every observer compared every pair equally often in every scene
     std::vector<std::string> incomplete_observers; ///< left out of the analyses of variance
@@ -64,6 +73,7 @@ struct RankedCondition {
 struct OneWayFindings {
     std::string unit; ///< what one value is: "observer mean" or "round"
     anova::OneWay anova;
+    anova::EtaInterval eta_interval; ///< of eta squared
     anova::RangeTest tukey;
     std::vector<anova::TPair> pooled_t;
     std::vector<anova::RangePair> games_howell;
@@ -97,7 +107,7 @@ struct NamedWithin {
 };
 
 /// A sentence for the reader.  `about` names the part it belongs to: "design", "within", "one_way",
-/// "two_way", "pairs", "scores", "units".
+/// "two_way", "pairs", "scores", "scales", "screening", "units".
 struct Note {
     std::string about;
     std::string text;
@@ -106,6 +116,7 @@ struct Note {
 struct Findings {
     AnalysisOptions options;
     DesignFacts design;
+    PairCoverage coverage;
     std::vector<ScopedMatrix> matrices;   ///< all, each observer, session, factor level, scene, ...
     std::vector<PaperScore> scores;       ///< by condition
     std::vector<RankedCondition> ranking; ///< best first
@@ -117,6 +128,8 @@ struct Findings {
     anova::RangeTest within_tukey;
     std::vector<std::string> within_letters; ///< by condition; empty when too many are needed
     std::vector<anova::TPair> paired_t;
+    anova::WithinResiduals residuals; ///< of the default analysis
+    anova::VarianceComponents components;
 
     std::optional<OneWayFindings> one_way_observers; ///< as in the paper
     std::optional<OneWayFindings> one_way_rounds;    ///< as in the paper, pseudo-replicated
@@ -130,6 +143,8 @@ struct Findings {
     std::optional<consistency::RankTest> friedman; ///< observer means, no normality assumed
     consistency::Nemenyi nemenyi;
     consistency::Consistency consistency;
+    scaling::Scales scales;
+    std::vector<consistency::ObserverScreening> screening; ///< by observer
 
     std::vector<Note> notes;
 

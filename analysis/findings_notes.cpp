@@ -1,5 +1,8 @@
 #include "analysis/findings_notes.h"
 
+#include "analysis/findings_text.h"
+#include "analysis/scaling/scales_text.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,6 +19,11 @@ void design_notes(Findings& findings) {
         say("These votes are simulated, wholly or in part: they say nothing about people.");
     if (design.skipped_not_main > 0)
         say(fmt::format("{} training and warm-up rows were passed over.", design.skipped_not_main));
+    if (!design.missing_known)
+        say("Nobody compared every pair equally often in a scene, so how many votes are missing is "
+            "not known.");
+    for (auto& text : coverage_notes(findings.coverage, design.conditions))
+        say(std::move(text));
     if (design.missing > 0)
         say(fmt::format("{} votes are missing; shares of an incomplete design depend on which "
                         "opponents were met.",
@@ -54,12 +62,24 @@ void within_notes(Findings& findings) {
                         "correction is the one to quote (rule: below 0.75 Greenhouse-Geisser, "
                         "else Huynh-Feldt).",
                         e, e < 0.75 ? "Greenhouse-Geisser" : "Huynh-Feldt"));
+    if (const auto& normality = findings.residuals.normality; normality.w == normality.w)
+        say("within",
+            fmt::format("Residuals: Shapiro-Wilk W = {:.4f}, p = {:.3g}. Votes are counts, "
+                        "so with many values the test rejects whatever they do: look at "
+                        "the figure.",
+                        normality.w, normality.p));
     say("within",
         fmt::format("Without any assumption: labels permuted within observers, {} arrangements "
-                    "({}), p = {:.3g}; Friedman on observer means, p = {:.3g}.",
+                    "({}), p = {:.3g}; Friedman on observer means, {}.",
                     findings.permutation.arrangements,
                     findings.permutation.complete ? "all" : "drawn", findings.permutation.p,
-                    findings.friedman->p));
+                    p_phrase(findings.friedman->p)));
+    if (const auto& parts = findings.components; parts.reliability == parts.reliability)
+        say("within",
+            fmt::format("Over sessions: standard deviation between observers {:.3f}, of "
+                        "one observer between sessions {:.3f} votes per round; "
+                        "reliability of the conditions' means {:.3f}.",
+                        parts.inter_observer_sd, parts.intra_observer_sd, parts.reliability));
     say("pairs",
         fmt::format("Pairs: Tukey's test with the method x observer mean square, simultaneous "
                     "level {}. Conditions that share a letter do not differ significantly, which "
@@ -88,6 +108,18 @@ void one_way_notes(Findings& findings) {
                             "one-way analysis."});
 }
 
+void screening_notes(Findings& findings) {
+    std::string flagged;
+    for (const auto& observer : findings.screening)
+        if (!observer.flags.empty())
+            flagged += fmt::format("{}{} ({})", flagged.empty() ? "" : "; ", observer.observer,
+                                   fmt::join(observer.flags, "; "));
+    findings.notes.push_back(
+        {"screening", flagged.empty()
+                          ? "Screening of observers raised no flag; nobody was left out."
+                          : "Worth a look, but nobody was left out: " + flagged + "."});
+}
+
 } // namespace
 
 void append_notes(Findings& findings, const VoteTable& table) {
@@ -103,6 +135,9 @@ void append_notes(Findings& findings, const VoteTable& table) {
                        "the ranking follows the pooled share, given beside it."});
     within_notes(findings);
     one_way_notes(findings);
+    screening_notes(findings);
+    for (auto& text : scaling::scale_notes(findings.scales, findings.design.conditions))
+        findings.notes.push_back({"scales", std::move(text)});
 }
 
 } // namespace analysis

@@ -1,5 +1,7 @@
 #include "analysis/findings_text.h"
 
+#include "analysis/scaling/scales_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +29,9 @@ void design_table(std::string& text, const Findings& findings) {
     text += fmt::format("{}{} votes of {} observers in {} sessions: {} scenes, {} conditions",
                         d.simulated ? "SIMULATED: " : "", d.votes, d.observers.size(),
                         d.sessions.size(), d.scenes, d.conditions.size());
-    text += fmt::format(", {} missing, {} ties.\n\n", d.missing, d.ties);
+    text +=
+        fmt::format(", {} missing, {} ties.\n\n",
+                    d.missing_known ? fmt::format("{}", d.missing) : "an unknown number", d.ties);
 }
 
 void ranking_table(std::string& text, const Findings& findings) {
@@ -66,7 +70,7 @@ void matrix_table(std::string& text, const Findings& findings) {
 
 void within_table(std::string& text, const NamedWithin& named) {
     text += fmt::format("Within observers ({})\n{:<28} {:>10} {:>4} {:>10} {:>5} {:>9} {:>10} "
-                        "{:>10} {:>10} {:>7}\n",
+                        "{:>10} {:>10} {:>7}  interval\n",
                         named.name, "effect", "SS", "df", "SS error", "df", "F", "p", "p GG",
                         "p HF", "eta2 p");
     for (const auto& e : named.analysis.effects)
@@ -75,7 +79,9 @@ void within_table(std::string& text, const NamedWithin& named) {
             value(e.effect.ss), e.effect.df, value(e.error.ss), e.error.df, value(e.test.f),
             p_text(e.test.p, e.test.log10_p), p_text(e.sphericity.p_greenhouse_geisser),
             p_text(e.sphericity.p_huynh_feldt), value(e.eta_squared_partial, 3),
-            e.test.reason.empty() ? "" : "  " + e.test.reason);
+            e.test.reason.empty() ? fmt::format("  {} to {}", value(e.eta_interval.lower, 3),
+                                                value(e.eta_interval.upper, 3))
+                                  : "  " + e.test.reason);
     text += "\n";
 }
 
@@ -92,7 +98,7 @@ void pair_table(std::string& text, const Findings& findings) {
                             findings.design.conditions[pair.first], width,
                             findings.design.conditions[pair.second], width, value(pair.difference),
                             fmt::format("{} to {}", value(pair.lower), value(pair.upper)),
-                            p_text(pair.p), p_text(findings.paired_t[i].p_holm),
+                            p_text(pair.p, pair.log10_p), p_text(findings.paired_t[i].p_holm),
                             pair.significant ? "  *" : "");
     }
     text += "\n";
@@ -100,10 +106,9 @@ void pair_table(std::string& text, const Findings& findings) {
 
 void paper_table(std::string& text, const OneWayFindings& found) {
     const auto& a = found.anova;
-    text +=
-        fmt::format("As in the paper: one-way, unit {}: F({:g}, {:g}) = {}, p = {}, eta2 = {}\n",
-                    found.unit, a.between.df, a.within.df, value(a.test.f),
-                    p_text(a.test.p, a.test.log10_p), value(a.eta_squared));
+    text += fmt::format("As in the paper: one-way, unit {}: F({:g}, {:g}) = {}, {}, eta2 = {}\n",
+                        found.unit, a.between.df, a.within.df, value(a.test.f),
+                        p_phrase(a.test.p, a.test.log10_p), value(a.eta_squared));
 }
 
 } // namespace
@@ -116,6 +121,11 @@ std::string p_text(double p, double log10_p) {
     if (p < 1e-300)
         return fmt::format("< 1e-300 (log10 p = {:.1f})", log10_p);
     return fmt::format("{:.3g}", p);
+}
+
+std::string p_phrase(double p, double log10_p) {
+    const auto text = p_text(p, log10_p);
+    return text.starts_with("<") ? "p " + text : "p = " + text;
 }
 
 std::string findings_text(const Findings& findings) {
@@ -132,6 +142,7 @@ std::string findings_text(const Findings& findings) {
     if (findings.one_way_rounds)
         paper_table(text, *findings.one_way_rounds);
     text += "\n";
+    text += scaling::scales_text(findings.scales, findings.design.conditions);
     for (const auto& note : findings.notes)
         text += "- " + note.text + "\n";
     return text;

@@ -48,6 +48,7 @@ std::int64_t shortfall(const VoteMatrix& matrix, std::int64_t expected) {
 void completeness(DesignFacts& design, const VoteTable& table) {
     const auto cells = count_votes(table, by_observer_and_scene(table));
     const auto expected = expected_comparisons(cells);
+    design.missing_known = expected > 0;
     const auto pairs =
         static_cast<std::int64_t>(table.conditions.size() * (table.conditions.size() - 1) / 2);
     std::map<std::string, std::int64_t> seen;

@@ -1,94 +1,80 @@
 #include "analysis/vote_csv.h"
 
 #include "analysis/csv.h"
+#include "analysis/vote_columns.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace analysis {
 
 namespace {
 
-// Where each known column stands; -1 when the file has none.
-struct Columns {
-    int study = -1, observer = -1, session = -1, trial = -1, left = -1, right = -1, chosen = -1,
-        response_ms = -1, onset = -1, phase = -1, simulated = -1;
-    std::vector<std::size_t> factors;
-    std::vector<std::string> factor_names;
-    std::vector<std::string> left_out;
-    std::size_t count = 0;
+// What a row's answer means: a choice, none at all (passed over), or what is wrong with it.
+struct Answer {
+    std::optional<protocols::Choice> chosen;
+    bool not_sure = false;
+    std::string wrong;
 };
 
-int* known_column(Columns& columns, std::string_view name) {
-    const std::pair<std::string_view, int*> known[] = {
-        {"study", &columns.study},       {"observer", &columns.observer},
-        {"session", &columns.session},   {"trial", &columns.trial},
-        {"left", &columns.left},         {"right", &columns.right},
-        {"chosen", &columns.chosen},     {"choice", &columns.chosen},
-        {"rt_ms", &columns.response_ms}, {"onset_utc", &columns.onset},
-        {"phase", &columns.phase},       {"simulated", &columns.simulated}};
-    for (const auto& [word, place] : known)
-        if (word == name)
-            return place;
-    return nullptr;
-}
-
-std::string missing_column(const Columns& columns) {
-    const std::pair<const char*, int> needed[] = {{"observer", columns.observer},
-                                                  {"left", columns.left},
-                                                  {"right", columns.right},
-                                                  {"chosen", columns.chosen}};
-    for (const auto& [word, place] : needed)
-        if (place < 0)
-            return fmt::format("no column '{}', expected a header row with observer, left, right "
-                               "and chosen (or choice)",
-                               word);
-    return {};
-}
-
-std::string read_header(std::span<const std::string_view> fields, Columns& columns) {
-    columns.count = fields.size();
-    std::vector<std::size_t> others;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-        if (std::find(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(i), fields[i]) !=
-            fields.begin() + static_cast<std::ptrdiff_t>(i))
-            return fmt::format("column '{}' stands twice, expected each name once", fields[i]);
-        int* place = known_column(columns, fields[i]);
-        if (place == nullptr)
-            others.push_back(i);
-        else if (*place >= 0)
-            return "both 'chosen' and 'choice', expected one column with the answer";
-        else
-            *place = static_cast<int>(i);
-    }
-    if (auto missing = missing_column(columns); !missing.empty())
-        return missing;
-    for (const auto i : others) {
-        if (static_cast<int>(i) < columns.right) {
-            columns.factors.push_back(i);
-            columns.factor_names.emplace_back(fields[i]);
-        } else {
-            columns.left_out.emplace_back(fields[i]);
-        }
-    }
-    return {};
-}
-
-std::optional<protocols::Choice> choice(std::string_view text) {
+Answer side_answer(std::string_view text) {
     if (text == "left")
-        return protocols::Choice::Left;
+        return {protocols::Choice::Left, false, {}};
     if (text == "right")
-        return protocols::Choice::Right;
+        return {protocols::Choice::Right, false, {}};
     if (text == "tie")
-        return protocols::Choice::Tie;
-    return std::nullopt;
+        return {protocols::Choice::Tie, false, {}};
+    if (text == "not_sure" || text == "not sure" || text == "undecided")
+        return {protocols::Choice::Tie, true, {}};
+    if (text == "none" || text == "n/a")
+        return {};
+    return {{}, false, fmt::format("answer '{}', expected left, right or tie", text)};
 }
 
-// Digits only; times with a fraction are rounded down to the millisecond the table keeps.
+// `first` and `second` are the words for the two, "0.5" the word for neither.
+Answer coded_answer(std::string_view text, std::string_view first, std::string_view second) {
+    if (text == first)
+        return {protocols::Choice::Left, false, {}};
+    if (text == second)
+        return {protocols::Choice::Right, false, {}};
+    if (text == "0.5")
+        return {protocols::Choice::Tie, false, {}};
+    if (text == "n/a" || text == "NA")
+        return {};
+    return {{},
+            false,
+            fmt::format("answer '{}', expected {}, {} or 0.5 for a tie", text, first, second)};
+}
+
+Answer named_answer(std::string_view text, std::string_view left, std::string_view right) {
+    if (text == left)
+        return {protocols::Choice::Left, false, {}};
+    if (text == right)
+        return {protocols::Choice::Right, false, {}};
+    return {{}, false, fmt::format("answer '{}', expected {} or {}", text, left, right)};
+}
+
+Answer
+answer_of(AnswerForm form, std::string_view text, std::string_view left, std::string_view right) {
+    switch (form) {
+    case AnswerForm::Side:
+        return side_answer(text);
+    case AnswerForm::FirstChosen:
+        return coded_answer(text, "1", "0");
+    case AnswerForm::FirstSecond:
+        return coded_answer(text, "1", "2");
+    case AnswerForm::Name:
+        return named_answer(text, left, right);
+    }
+    return {};
+}
+
 std::optional<std::int32_t> whole_number(std::string_view text) {
     std::int32_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -96,15 +82,30 @@ std::optional<std::int32_t> whole_number(std::string_view text) {
     return good ? std::optional(value) : std::nullopt;
 }
 
+// Seconds with decimals, to the nearest millisecond.
+std::optional<std::int32_t> seconds(std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool good =
+        error == std::errc{} && end == text.data() + text.size() && value >= 0 && value < 2e6;
+    return good ? std::optional(static_cast<std::int32_t>(std::lround(1000 * value)))
+                : std::nullopt;
+}
+
 class VoteReader {
   public:
-    explicit VoteReader(VoteTable& table) : table_(table) {}
+    VoteReader(VoteTable& table, std::string_view text)
+        : table_(table),
+          rows_(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'))) {}
 
     std::string operator()(std::int64_t line, std::span<const std::string_view> fields) {
         if (columns_.count == 0) {
-            auto wrong = read_header(fields, columns_);
-            if (wrong.empty())
+            auto wrong = read_vote_columns(fields, columns_);
+            if (wrong.empty()) {
                 table_ = empty_vote_table(columns_.factor_names);
+                reserve_votes(table_, rows_);
+                lines_.reserve(rows_);
+            }
             return wrong;
         }
         if (fields.size() != columns_.count)
@@ -112,16 +113,40 @@ class VoteReader {
                                columns_.count);
         if (columns_.phase >= 0 && at(fields, columns_.phase) != "main")
             return skip(at(fields, columns_.phase));
+        if (columns_.counted >= 0 && at(fields, columns_.counted) == "0") {
+            ++not_counted_;
+            return {};
+        }
         auto wrong = about_the_file(fields);
+        const auto before = table_.size();
         if (wrong.empty())
             wrong = vote(fields);
-        lines_.push_back(line);
+        if (table_.size() > before)
+            lines_.push_back(static_cast<std::uint32_t>(line));
         return wrong;
     }
 
     bool has_header() const { return columns_.count > 0; }
 
-    const Columns& columns() const { return columns_; }
+    // What was done with the file that its reader should know.
+    std::vector<std::string> notes() const {
+        std::vector<std::string> said;
+        if (!columns_.left_out.empty())
+            said.push_back(fmt::format("columns not read: {}", fmt::join(columns_.left_out, ", ")));
+        if (not_counted_ > 0)
+            said.push_back(
+                fmt::format("{} rows marked as not counted were passed over", not_counted_));
+        if (unanswered_ > 0)
+            said.push_back(
+                fmt::format("{} questions without an answer were passed over", unanswered_));
+        if (not_sure_ > 0)
+            said.push_back(
+                fmt::format("{} answers were \"not sure\": they count as ties", not_sure_));
+        if (!columns_.sides_known)
+            said.push_back("the file does not say which condition was on the left: what is said "
+                           "of the left side is of the one named first");
+        return said;
+    }
 
     std::int64_t line(std::int64_t vote) const { return lines_[static_cast<std::size_t>(vote)]; }
 
@@ -131,7 +156,9 @@ class VoteReader {
     }
 
     std::string skip(std::string_view phase) {
-        if (phase != "training" && phase != "warmup")
+        constexpr std::string_view known[] = {"training", "warmup", "repeat",
+                                              "break",    "page",   "event"};
+        if (std::find(std::begin(known), std::end(known), phase) == std::end(known))
             return fmt::format("phase '{}', expected training, warmup or main", phase);
         ++table_.skipped_not_main;
         return {};
@@ -162,11 +189,15 @@ class VoteReader {
         if (left == right)
             return fmt::format("left and right are both '{}', expected two different conditions",
                                left);
-        const auto chosen = choice(at(fields, columns_.chosen));
-        if (!chosen)
-            return fmt::format("answer '{}', expected left, right or tie",
-                               at(fields, columns_.chosen));
-        table_.chosen.push_back(*chosen);
+        const auto answer = answer_of(columns_.form, at(fields, columns_.answer), left, right);
+        if (!answer.wrong.empty())
+            return answer.wrong;
+        if (!answer.chosen) {
+            ++unanswered_;
+            return {};
+        }
+        not_sure_ += answer.not_sure ? 1 : 0;
+        table_.chosen.push_back(*answer.chosen);
         table_.observer.push_back(table_.observers.code(at(fields, columns_.observer)));
         table_.session.push_back(
             table_.sessions.code(columns_.session < 0 ? "1" : at(fields, columns_.session)));
@@ -176,30 +207,36 @@ class VoteReader {
         table_.right.push_back(static_cast<std::uint16_t>(table_.conditions.code(right)));
         if (table_.conditions.size() > 65535)
             return "more than 65535 conditions";
-        auto wrong = number(fields, columns_.trial, "trial", 0, table_.trial);
-        return wrong.empty() ? number(fields, columns_.response_ms, "rt_ms", -1, table_.response_ms)
-                             : wrong;
+        auto wrong = number(fields, columns_.trial, "trial", 0, table_.trial, whole_number);
+        if (!wrong.empty())
+            return wrong;
+        if (columns_.milliseconds < 0 && columns_.seconds >= 0)
+            return number(fields, columns_.seconds, "the time", -1, table_.response_ms, seconds);
+        return number(fields, columns_.milliseconds, "rt_ms", -1, table_.response_ms, whole_number);
     }
 
     static std::string number(std::span<const std::string_view> fields,
                               int column,
                               std::string_view name,
                               std::int32_t absent,
-                              std::vector<std::int32_t>& out) {
+                              std::vector<std::int32_t>& out,
+                              std::optional<std::int32_t> (*read)(std::string_view)) {
         out.push_back(absent);
-        if (column < 0 || at(fields, column).empty())
+        if (column < 0 || at(fields, column).empty() || at(fields, column) == "n/a")
             return {};
-        const auto value = whole_number(at(fields, column));
+        const auto value = read(at(fields, column));
         if (!value)
-            return fmt::format("{} is '{}', expected a whole number, 0 or more", name,
-                               at(fields, column));
+            return fmt::format("{} is '{}', expected a {}number, 0 or more", name,
+                               at(fields, column), read == whole_number ? "whole " : "");
         out.back() = *value;
         return {};
     }
 
     VoteTable& table_;
-    Columns columns_;
-    std::vector<std::int64_t> lines_;
+    VoteColumns columns_;
+    std::size_t rows_; ///< at most so many follow
+    std::vector<std::uint32_t> lines_;
+    std::int64_t not_counted_ = 0, unanswered_ = 0, not_sure_ = 0;
 };
 
 } // namespace
@@ -207,7 +244,7 @@ class VoteReader {
 Expected<VoteTable>
 read_votes_csv(std::string_view text, const std::string& name, Repeats repeats) {
     VoteTable table;
-    VoteReader reader(table);
+    VoteReader reader(table, text);
     const auto records = read_csv(text, name, std::ref(reader));
     if (!records)
         return tl::unexpected(records.error());
@@ -226,9 +263,7 @@ read_votes_csv(std::string_view text, const std::string& name, Repeats repeats) 
                 name, reader.line(second),
                 table.observers.name(table.observer[static_cast<std::size_t>(second)]),
                 reader.line(first)));
-    if (!reader.columns().left_out.empty())
-        table.notes.push_back(
-            fmt::format("columns not read: {}", fmt::join(reader.columns().left_out, ", ")));
+    table.notes = reader.notes();
     return table;
 }
 

@@ -3,19 +3,22 @@
 #include "protocols/contract.h"
 
 #include <algorithm>
-#include <map>
+#include <numeric>
+#include <unordered_map>
 
 namespace analysis {
 
 VoteMatrix::VoteMatrix(std::size_t conditions)
     : conditions_(conditions), left_chosen_(conditions * conditions),
-      right_chosen_(conditions * conditions), tied_(conditions * conditions) {}
+      right_chosen_(conditions * conditions) {}
 
 void VoteMatrix::add(std::size_t left,
                      std::size_t right,
                      protocols::Choice chosen,
                      std::int64_t votes) {
     EXPECTS(left < conditions_ && right < conditions_ && left != right);
+    if (chosen == protocols::Choice::Tie)
+        tied_.resize(conditions_ * conditions_);
     auto& counts = chosen == protocols::Choice::Left    ? left_chosen_
                    : chosen == protocols::Choice::Right ? right_chosen_
                                                         : tied_;
@@ -24,11 +27,13 @@ void VoteMatrix::add(std::size_t left,
 
 void VoteMatrix::add(const VoteMatrix& other) {
     EXPECTS(other.conditions_ == conditions_);
-    for (std::size_t k = 0; k < tied_.size(); ++k) {
+    tied_.resize(std::max(tied_.size(), other.tied_.size()));
+    for (std::size_t k = 0; k < left_chosen_.size(); ++k) {
         left_chosen_[k] += other.left_chosen_[k];
         right_chosen_[k] += other.right_chosen_[k];
-        tied_[k] += other.tied_[k];
     }
+    for (std::size_t k = 0; k < other.tied_.size(); ++k)
+        tied_[k] += other.tied_[k];
 }
 
 std::int64_t VoteMatrix::left_chosen(std::size_t left, std::size_t right) const {
@@ -40,7 +45,7 @@ std::int64_t VoteMatrix::right_chosen(std::size_t left, std::size_t right) const
 }
 
 std::int64_t VoteMatrix::tied(std::size_t left, std::size_t right) const {
-    return tied_[at(left, right)];
+    return tied_.empty() ? 0 : tied_[at(left, right)];
 }
 
 std::int64_t VoteMatrix::wins(std::size_t winner, std::size_t loser) const {
@@ -48,7 +53,7 @@ std::int64_t VoteMatrix::wins(std::size_t winner, std::size_t loser) const {
 }
 
 std::int64_t VoteMatrix::ties(std::size_t a, std::size_t b) const {
-    return tied_[at(a, b)] + tied_[at(b, a)];
+    return tied(a, b) + tied(b, a);
 }
 
 std::int64_t VoteMatrix::comparisons(std::size_t a, std::size_t b) const {
@@ -187,6 +192,39 @@ ScopedMatrix labelled(const VoteTable& table,
     return cell;
 }
 
+// Where the matrix of a cell stands; -1 while there is none.  A plain array where one fits.
+class CellIndex {
+  public:
+    explicit CellIndex(const std::vector<KeptColumn>& kept) {
+        double cells = 1;
+        for (const auto& column : kept)
+            cells *= static_cast<double>(column.names->size());
+        if (cells <= 1 << 22)
+            array_.assign(static_cast<std::size_t>(cells), -1);
+    }
+
+    std::int64_t& place(std::uint64_t cell) {
+        return array_.empty() ? map_.try_emplace(cell, -1).first->second : array_[cell];
+    }
+
+  private:
+    std::vector<std::int64_t> array_;
+    std::unordered_map<std::uint64_t, std::int64_t> map_;
+};
+
+// Sorted by the places of the kept levels.
+std::vector<ScopedMatrix> in_order(std::vector<ScopedMatrix> matrices,
+                                   const std::vector<std::uint64_t>& cells) {
+    std::vector<std::size_t> order(matrices.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return cells[a] < cells[b]; });
+    std::vector<ScopedMatrix> sorted;
+    sorted.reserve(matrices.size());
+    for (const auto place : order)
+        sorted.push_back(std::move(matrices[place]));
+    return sorted;
+}
+
 } // namespace
 
 std::string scope_name(const VoteTable& table, const Scope& scope) {
@@ -206,21 +244,23 @@ std::string scope_name(const VoteTable& table, const Scope& scope) {
 
 std::vector<ScopedMatrix> count_votes(const VoteTable& table, const Scope& scope) {
     const auto kept = kept_columns(table, scope);
-    std::map<std::uint64_t, ScopedMatrix> cells; // by the places of the kept levels, mixed radix
+    CellIndex index(kept);
+    std::vector<ScopedMatrix> matrices;
+    std::vector<std::uint64_t> cells; // of each matrix
     for (std::size_t vote = 0; vote < table.size(); ++vote) {
         std::uint64_t cell = 0;
         for (const auto& column : kept)
             cell = cell * column.names->size() + column.places[(*column.codes)[vote]];
-        auto found = cells.lower_bound(cell);
-        if (found == cells.end() || found->first != cell)
-            found = cells.emplace_hint(found, cell, labelled(table, scope, kept, vote));
-        found->second.matrix.add(table.left[vote], table.right[vote], table.chosen[vote]);
+        auto& place = index.place(cell);
+        if (place < 0) {
+            place = static_cast<std::int64_t>(matrices.size());
+            matrices.push_back(labelled(table, scope, kept, vote));
+            cells.push_back(cell);
+        }
+        matrices[static_cast<std::size_t>(place)].matrix.add(table.left[vote], table.right[vote],
+                                                             table.chosen[vote]);
     }
-    std::vector<ScopedMatrix> matrices;
-    matrices.reserve(cells.size());
-    for (auto& [place, cell] : cells)
-        matrices.push_back(std::move(cell));
-    return matrices;
+    return in_order(std::move(matrices), cells);
 }
 
 VoteMatrix count_votes(const VoteTable& table) {

@@ -47,7 +47,8 @@ class VoteMatrix {
     std::size_t at(std::size_t i, std::size_t j) const { return i * conditions_ + j; }
 
     std::size_t conditions_;
-    std::vector<std::int64_t> left_chosen_, right_chosen_, tied_;
+    std::vector<std::int64_t> left_chosen_, right_chosen_;
+    std::vector<std::int64_t> tied_; ///< empty before the first tie: a study may have none
 };
 
 /// Which columns a scope keeps apart; everything else is pooled.

@@ -11,9 +11,12 @@
 namespace analysis {
 
 std::uint32_t Dictionary::code(std::string_view name) {
+    if (last_ < names_.size() && names_[last_] == name)
+        return last_;
     if (const auto known = codes_.find(name); known != codes_.end())
-        return known->second;
+        return last_ = known->second;
     const auto next = static_cast<std::uint32_t>(names_.size());
+    last_ = next;
     names_.emplace_back(name);
     codes_.emplace(std::string(name), next);
     return next;
@@ -30,6 +33,18 @@ VoteTable empty_vote_table(std::vector<std::string> factor_names) {
     table.factor.resize(factor_names.size());
     table.factor_names = std::move(factor_names);
     return table;
+}
+
+void reserve_votes(VoteTable& table, std::size_t votes) {
+    for (auto* column : {&table.observer, &table.session})
+        column->reserve(votes);
+    for (auto& column : table.factor)
+        column.reserve(votes);
+    for (auto* column : {&table.left, &table.right})
+        column->reserve(votes);
+    table.chosen.reserve(votes);
+    for (auto* column : {&table.trial, &table.response_ms})
+        column->reserve(votes);
 }
 
 void append_vote(VoteTable& table, const VoteRow& row) {

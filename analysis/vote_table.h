@@ -41,6 +41,7 @@ class Dictionary {
 
     std::vector<std::string> names_;
     std::unordered_map<std::string, std::uint32_t, Hash, std::equal_to<>> codes_;
+    std::uint32_t last_ = 0; ///< votes come in runs of one observer, session, scene
 };
 
 /// One vote as the program holds it.  `scene` has one level for every scene factor.
@@ -83,6 +84,9 @@ struct VoteTable {
 
 /// An empty table whose scenes are made of these factors, e.g. {"scene", "variant"}.
 VoteTable empty_vote_table(std::vector<std::string> factor_names);
+
+/// Memory for as many votes: growing by doubling would need half as much again.
+void reserve_votes(VoteTable& table, std::size_t votes);
 
 /// Appends one vote; EXPECTS one level per scene factor.
 void append_vote(VoteTable& table, const VoteRow& row);

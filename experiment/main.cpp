@@ -14,14 +14,36 @@ int main(int argc, char** argv) {
                      "how sure is that?",
                      "pairlight");
     program.require_subcommand(1);
-    for (const auto add :
-         {commands::add_init, commands::add_check, commands::add_render, commands::add_session,
-          commands::add_simulate, commands::add_export, commands::add_analyze, commands::add_report,
-          commands::add_demo, commands::add_schedule, commands::add_thickness,
-          commands::add_methods, commands::add_verify, commands::add_register,
-          commands::add_observers, commands::add_withdraw, commands::add_display,
-          commands::add_timing_check, commands::add_photometer, commands::add_pages,
-          commands::add_import})
+    // clang-format off
+    for (const auto add : {
+             commands::add_init,
+             commands::add_check,
+             commands::add_methods,
+             commands::add_view,
+             commands::add_render,
+             commands::add_import,
+             commands::add_display,
+             commands::add_photometer,
+             commands::add_timing_check,
+             commands::add_pages,
+             commands::add_register,
+             commands::add_observers,
+             commands::add_session,
+             commands::add_simulate,
+             commands::add_export,
+             commands::add_analyze,
+             commands::add_anova,
+             commands::add_report,
+             commands::add_demo,
+             commands::add_schedule,
+             commands::add_thickness,
+             commands::add_reference,
+             commands::add_compare,
+             commands::add_fit,
+             commands::add_verify,
+             commands::add_withdraw,
+         })
+        // clang-format on
         add(program);
     try {
         program.parse(argc, argv);

@@ -46,7 +46,9 @@ tl::expected<LoadedModel, std::string> load_model(const std::string& name,
         return tl::unexpected(prepared.error());
     record->vertices = prepared->mesh.positions.size();
     record->triangles = prepared->mesh.triangles.size();
-    return LoadedModel{std::move(prepared->mesh), std::move(*record), describe(prepared->repairs)};
+    const auto* file = std::get_if<fs::path>(&*model);
+    return LoadedModel{std::move(prepared->mesh), std::move(*record), describe(prepared->repairs),
+                       file != nullptr ? *file : fs::path()};
 }
 
 } // namespace experiment

@@ -7,6 +7,7 @@
 
 #include <tl/expected.hpp>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct LoadedModel {
     renderer::geometry::Mesh mesh;
     stimuli::ModelRecord record;
     std::vector<std::string> remarks;
+    std::filesystem::path file; ///< where it was found; empty for a body
 };
 
 /// `name` is a body's name, a name on the search path, or a path (from the study folder).

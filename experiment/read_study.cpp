@@ -1,6 +1,7 @@
 // The one place where a study file meets the renderer's names.
 #include "experiment/read_study.h"
 
+#include "experiment/reference_dials.h"
 #include "experiment/text_files.h"
 #include "protocols/calibration.h"
 #include "protocols/digest.h"
@@ -46,16 +47,22 @@ tl::expected<void, std::string> read_calibration(const StudyFolder& folder,
 } // namespace
 
 protocols::KnownNames known_names() {
-    std::vector<std::string> names;
-    for (const auto& method : renderer::methods::catalogue())
-        names.push_back(method.name);
-    const auto complete = [](const std::string& method, const protocols::Dials& given) {
-        return renderer::methods::complete_for(method, given)
-            .map_error([](const renderer::methods::DialProblem& problem) {
-                return protocols::DialProblem{problem.dial, problem.what};
-            });
+    protocols::KnownNames known{.materials = renderer::measured_names()};
+    for (const auto& method : renderer::methods::catalogue()) {
+        known.methods.push_back(method.name);
+        if (!method.caveat.empty())
+            known.caveats[method.name] = method.caveat;
+    }
+    known.methods.emplace_back(reference_method);
+    known.complete = [](const std::string& method, const protocols::Dials& given) {
+        const auto completed = method == reference_method
+                                   ? renderer::methods::complete(reference_dials(), given)
+                                   : renderer::methods::complete_for(method, given);
+        return completed.map_error([](const renderer::methods::DialProblem& problem) {
+            return protocols::DialProblem{problem.dial, problem.what};
+        });
     };
-    return {.methods = names, .materials = renderer::measured_names(), .complete = complete};
+    return known;
 }
 
 tl::expected<LoadedStudy, std::string> read_study(const fs::path& path) {

@@ -1,7 +1,6 @@
 // A study's conditions keep the order of its file; a table's come in order of appearance.
 #include "experiment/vote_source.h"
 
-#include "analysis/vote_csv.h"
 #include "experiment/store/sqlite_store.h"
 #include "experiment/store/words.h"
 #include "experiment/tables.h"
@@ -69,11 +68,12 @@ tl::expected<VoteSource, std::string> from_study(const fs::path& path) {
                       protocols::sha256_hexadecimal(long_csv(*rows)), std::move(*loaded)};
 }
 
-tl::expected<VoteSource, std::string> from_table(const fs::path& path) {
+tl::expected<VoteSource, std::string>
+from_table(const fs::path& path, analysis::formats::VoteFormat format, analysis::Repeats repeats) {
     const auto text = read_text_file(path);
     if (!text)
         return tl::unexpected(text.error());
-    auto table = analysis::read_votes_csv(*text, path.string());
+    auto table = analysis::formats::read_vote_file(*text, path.string(), format, repeats);
     if (!table)
         return tl::unexpected(table.error());
     if (table->size() == 0)
@@ -84,9 +84,10 @@ tl::expected<VoteSource, std::string> from_table(const fs::path& path) {
 
 } // namespace
 
-tl::expected<VoteSource, std::string> read_votes(const fs::path& path) {
+tl::expected<VoteSource, std::string>
+read_votes(const fs::path& path, analysis::formats::VoteFormat format, analysis::Repeats repeats) {
     const bool is_study = fs::is_directory(path) || path.filename() == "study.toml";
-    return is_study ? from_study(path) : from_table(path);
+    return is_study ? from_study(path) : from_table(path, format, repeats);
 }
 
 tl::expected<std::unique_ptr<store::VoteStore>, std::string>

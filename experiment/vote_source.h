@@ -1,6 +1,7 @@
 // Votes for the analysis, from wherever they lie: a study's store, or a table made elsewhere.
 #pragma once
 
+#include "analysis/formats/vote_files.h"
 #include "analysis/vote_table.h"
 #include "experiment/read_study.h"
 #include "experiment/store/vote_store.h"
@@ -23,9 +24,12 @@ struct VoteSource {
     std::optional<LoadedStudy> study; ///< where the votes are a study's own
 };
 
-/// `path` is a study (folder or study.toml) or a CSV table.
+/// `path` is a study (folder or study.toml) or a table of votes, in `format`.
 /// Errors: "<file>[:<line>]: ..."; a study without votes.
-tl::expected<VoteSource, std::string> read_votes(const std::filesystem::path& path);
+tl::expected<VoteSource, std::string>
+read_votes(const std::filesystem::path& path,
+           analysis::formats::VoteFormat format = analysis::formats::VoteFormat::Detect,
+           analysis::Repeats repeats = analysis::Repeats::Refuse);
 
 /// A study's store, after its record was found whole: an analysis of damaged votes is worth
 /// nothing. Errors: no store; one that cannot be read; one with faults, and how to list them.

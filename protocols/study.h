@@ -32,11 +32,19 @@ struct DialProblem {
     std::string what;
 };
 
+/// The four terms of the shading model, in the place of those that the material gives; channel by
+/// channel.
+struct ShadingCoefficients {
+    std::array<double, 3> ambient{}, diffuse{}, specular{}, scatter{};
+    bool operator==(const ShadingCoefficients&) const = default;
+};
+
 /// How a condition's pictures are rendered.  What may stand here is checked by `KnownNames` when
 /// the file is read.
 struct Rendering {
     std::string method;
     Dials dials; ///< every dial the method has, those that the file leaves out at their presets
+    std::map<std::string, ShadingCoefficients> k; ///< by scene; the material's where there is none
 };
 
 /// Pictures made elsewhere, already lying at stimuli/<scene>/[<variant>/]<condition>.png
@@ -171,6 +179,9 @@ struct Study {
 struct KnownNames {
     std::vector<std::string> methods;
     std::vector<std::string> materials; ///< the measured ones
+
+    /// A word that people have to read in the label of a condition of this method, by method.
+    std::map<std::string, std::string> caveats = {};
 
     /// The dials of a method with presets for those that are not given, or what is wrong with one.
     std::function<tl::expected<Dials, DialProblem>(const std::string& method, const Dials& given)>

@@ -62,10 +62,24 @@ Dials read_dials(Section& section) {
     return dials;
 }
 
+/// [condition.k.<scene>]: coefficients of the condition's own, as `pairlight fit` finds them.
+std::map<std::string, ShadingCoefficients> read_own_coefficients(Section& section) {
+    std::map<std::string, ShadingCoefficients> own;
+    auto scenes = section.table("k", false);
+    for (const auto& scene : scenes.rest()) {
+        auto table = scenes.table(scene.key, true);
+        const auto term = [&](std::string_view name) { return table.triple(name, {0, 1e6}, {}); };
+        own[scene.key] = {term("ambient"), term("diffuse"), term("specular"), term("scatter")};
+        table.expect_nothing_else();
+    }
+    return own;
+}
+
 /// A dial that does nothing would let a study claim a difference that is not there.
 Rendering read_rendering(Section& section, const KnownNames& known) {
     Rendering rendering;
     rendering.method = section.one_of("method", known.methods);
+    rendering.k = read_own_coefficients(section);
     const auto given = read_dials(section);
     if (std::find(known.methods.begin(), known.methods.end(), rendering.method) ==
         known.methods.end())
@@ -89,6 +103,21 @@ void read_own_images(Section& section) {
                                             entry.key));
 }
 
+/// What is not what its name says has to say so wherever people read it.
+void honour_caveat(Section& section,
+                   const KnownNames& known,
+                   const std::string& method,
+                   Condition& condition) {
+    const auto caveat = known.caveats.find(method);
+    if (caveat == known.caveats.end() || condition.label.find(caveat->second) != std::string::npos)
+        return;
+    if (section.has("label"))
+        section.refuse("label",
+                       fmt::format("the word \"{}\" in it, for that is what method '{}' is",
+                                   caveat->second, method));
+    condition.label += fmt::format(" ({})", caveat->second);
+}
+
 Condition read_condition(Section section, const KnownNames& known) {
     Condition condition;
     condition.line = section.line();
@@ -98,7 +127,9 @@ Condition read_condition(Section section, const KnownNames& known) {
         condition.source = OwnImages{};
         read_own_images(section);
     } else if (section.has("method")) {
-        condition.source = read_rendering(section, known);
+        auto rendering = read_rendering(section, known);
+        honour_caveat(section, known, rendering.method, condition);
+        condition.source = std::move(rendering);
     } else {
         section.note("id", fmt::format("[[condition]] '{}' has no 'method', expected one of {}, or "
                                        "source = \"images\"",
@@ -189,6 +220,19 @@ Variant read_variant(Section section, Pictures pictures) {
     return variant;
 }
 
+/// Coefficients for a scene there is not would change nothing, unnoticed.
+void expect_scenes_of_coefficients(const Study& study, Problems& problems) {
+    for (const auto& condition : study.conditions)
+        if (const auto* rendering = std::get_if<Rendering>(&condition.source))
+            for (const auto& [scene, k] : rendering->k)
+                if (std::none_of(study.scenes.begin(), study.scenes.end(),
+                                 [&](const Scene& one) { return one.id.value == scene; }))
+                    problems.note(condition.line,
+                                  fmt::format("condition '{}' has coefficients for '{}', expected "
+                                              "the id of a scene",
+                                              condition.id.value, scene));
+}
+
 Study read_study(const Table& root, const KnownNames& known, Problems& problems) {
     Study study;
     Section file(root, 1, "the study file", problems);
@@ -214,6 +258,7 @@ Study read_study(const Table& root, const KnownNames& known, Problems& problems)
         study.variants.push_back(read_variant(std::move(section), pictures));
     file.expect_nothing_else();
 
+    expect_scenes_of_coefficients(study, problems);
     expect_own_ids(study.conditions, "condition", problems);
     expect_own_ids(study.materials, "material", problems);
     expect_own_ids(study.scenes, "scene", problems);

@@ -3,9 +3,43 @@
 #include "analysis/numerics/distributions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace analysis::anova {
+
+namespace {
+
+template <class Centre>
+FTest of_distances(std::span<const std::vector<double>> groups, Centre centre) {
+    std::vector<std::vector<double>> distances;
+    for (const auto& group : groups) {
+        const long double middle = centre(group);
+        auto& out = distances.emplace_back();
+        for (const double value : group)
+            out.push_back(static_cast<double>(std::abs(value - middle)));
+    }
+    return one_way(distances).test;
+}
+
+} // namespace
+
+FTest levene(std::span<const std::vector<double>> groups) {
+    return of_distances(groups, [](const std::vector<double>& group) {
+        long double sum = 0; // about the first value, so that a common offset costs nothing
+        for (const double value : group)
+            sum += static_cast<long double>(value) - group[0];
+        return group[0] + sum / static_cast<long double>(group.size());
+    });
+}
+
+FTest brown_forsythe(std::span<const std::vector<double>> groups) {
+    return of_distances(groups, [](std::vector<double> group) {
+        std::sort(group.begin(), group.end());
+        const auto n = group.size();
+        return (static_cast<long double>(group[(n - 1) / 2]) + group[n / 2]) / 2;
+    });
+}
 
 FTest levene(std::span<const std::vector<std::int64_t>> groups) {
     std::vector<std::vector<std::int64_t>> distances(groups.begin(), groups.end());

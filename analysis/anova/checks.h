@@ -17,6 +17,10 @@ FTest levene(std::span<const std::vector<std::int64_t>> groups);
 /// One-way analysis of distances from the group median.
 FTest brown_forsythe(std::span<const std::vector<std::int64_t>> groups);
 
+/// The same for groups of any sizes of real values.
+FTest levene(std::span<const std::vector<double>> groups);
+FTest brown_forsythe(std::span<const std::vector<double>> groups);
+
 /// One-way analysis that does not assume equal variances; undefined when a group does not vary.
 FTest welch(const OneWay& groups);
 

@@ -3,6 +3,7 @@
 #include "analysis/anova/adjustments.h"
 #include "analysis/exact.h"
 #include "analysis/numerics/distributions.h"
+#include "analysis/numerics/dunnett.h"
 #include "analysis/numerics/studentized_range.h"
 #include "protocols/contract.h"
 
@@ -20,12 +21,14 @@ double ratio(double difference, double standard_error) {
     return difference / standard_error;
 }
 
-double range_p(double q, std::size_t groups, double df) {
+constexpr numerics::Tail certain{0, -std::numeric_limits<double>::infinity()};
+
+numerics::Tail range_p(double q, std::size_t groups, double df) {
     if (std::isnan(q) || !(df > 0))
-        return undefined;
+        return {undefined, undefined};
     if (std::isinf(q))
-        return 0;
-    return numerics::studentized_range_upper_tail(q, static_cast<double>(groups), df).p;
+        return certain;
+    return numerics::studentized_range_upper_tail(q, static_cast<double>(groups), df);
 }
 
 RangePair range_pair(std::size_t first,
@@ -41,7 +44,9 @@ RangePair range_pair(std::size_t first,
     pair.standard_error = standard_error;
     pair.df = df;
     pair.q = ratio(std::abs(difference), standard_error);
-    pair.p = range_p(pair.q, groups, df);
+    const auto tail = range_p(pair.q, groups, df);
+    pair.p = tail.p;
+    pair.log10_p = tail.log10_p;
     return pair;
 }
 
@@ -66,10 +71,12 @@ void adjust(std::vector<TPair>& pairs, double level) {
     }
 }
 
-double t_p(double t, double df) {
-    if (std::isnan(t) || !(df > 0))
-        return undefined;
-    return std::isinf(t) ? 0 : numerics::t_two_sided(t, df).p;
+void put_p(TPair& pair) {
+    if (std::isnan(pair.t) || !(pair.df > 0))
+        return;
+    const auto tail = std::isinf(pair.t) ? certain : numerics::t_two_sided(pair.t, pair.df);
+    pair.p = tail.p;
+    pair.log10_p = tail.log10_p;
 }
 
 } // namespace
@@ -116,6 +123,43 @@ std::vector<RangePair> games_howell(const OneWay& groups, double level) {
     return pairs;
 }
 
+DunnettTest dunnett(std::span<const double> means,
+                    std::span<const std::int64_t> sizes,
+                    Variation error,
+                    std::size_t control,
+                    double level) {
+    EXPECTS(means.size() == sizes.size() && means.size() >= 2 && control < means.size());
+    DunnettTest test;
+    test.control = control;
+    test.df = error.df;
+    const auto n_control = static_cast<double>(sizes[control]);
+    std::vector<double> loading;
+    for (std::size_t i = 0; i < means.size(); ++i)
+        if (i != control) {
+            const auto n = static_cast<double>(sizes[i]);
+            loading.push_back(std::sqrt(n / (n + n_control)));
+        }
+    if (error.df > 0)
+        test.t_critical = numerics::dunnett_quantile(level, loading, error.df);
+    for (std::size_t i = 0; i < means.size(); ++i) {
+        if (i == control)
+            continue;
+        const double mse = error.df > 0 ? error.ms() : undefined;
+        const double se = std::sqrt(mse * (1 / static_cast<double>(sizes[i]) + 1 / n_control));
+        DunnettPair pair;
+        pair.level = i;
+        pair.difference = means[i] - means[control];
+        pair.t = ratio(pair.difference, se);
+        if (error.df > 0)
+            pair.p = numerics::dunnett_upper_tail(std::abs(pair.t), loading, error.df).p;
+        pair.lower = pair.difference - test.t_critical * se;
+        pair.upper = pair.difference + test.t_critical * se;
+        pair.significant = pair.p < level;
+        test.pairs.push_back(pair);
+    }
+    return test;
+}
+
 std::vector<TPair> pooled_t(const OneWay& groups, double level) {
     std::vector<TPair> pairs;
     const double error = groups.within.df > 0 ? groups.within.ms() : undefined;
@@ -129,7 +173,7 @@ std::vector<TPair> pooled_t(const OneWay& groups, double level) {
             pair.difference = groups.mean[i] - groups.mean[j];
             pair.t = ratio(pair.difference, std::sqrt(error * (1 / n_i + 1 / n_j)));
             pair.df = groups.within.df;
-            pair.p = t_p(pair.t, pair.df);
+            put_p(pair);
             pairs.push_back(pair);
         }
     adjust(pairs, level);
@@ -161,7 +205,37 @@ std::vector<TPair> paired_t(std::span<const std::int64_t> counts,
             pair.t = ratio(static_cast<double>(sum),
                            std::sqrt(static_cast<double>(spread) / (observers - 1)));
             pair.df = observers - 1;
-            pair.p = t_p(pair.t, pair.df);
+            put_p(pair);
+            pairs.push_back(pair);
+        }
+    adjust(pairs, level);
+    return pairs;
+}
+
+std::vector<TPair> paired_t(std::span<const long double> values, std::size_t groups, double level) {
+    EXPECTS(groups >= 2 && !values.empty() && values.size() % groups == 0);
+    const auto n = values.size() / groups;
+    const auto subjects = static_cast<long double>(n);
+    std::vector<TPair> pairs;
+    for (std::size_t i = 0; i < groups; ++i)
+        for (std::size_t j = i + 1; j < groups; ++j) {
+            long double mean = 0, squares = 0;
+            for (std::size_t o = 0; o < n; ++o)
+                mean += (values[o * groups + i] - values[o * groups + j]) / subjects;
+            bool constant = true;
+            for (std::size_t o = 0; o < n; ++o) {
+                const long double d = values[o * groups + i] - values[o * groups + j];
+                constant = constant && d == values[i] - values[j];
+                squares += (d - mean) * (d - mean);
+            }
+            const long double variance = constant ? 0 : squares / (subjects - 1);
+            TPair pair;
+            pair.first = i;
+            pair.second = j;
+            pair.difference = static_cast<double>(mean);
+            pair.t = ratio(pair.difference, static_cast<double>(std::sqrt(variance / subjects)));
+            pair.df = static_cast<double>(subjects - 1);
+            put_p(pair);
             pairs.push_back(pair);
         }
     adjust(pairs, level);

@@ -1,5 +1,5 @@
 // Which groups differ: all pairs of means with simultaneous error rates.
-// [Tukey1953], [Kramer1956], [GamesHowell1976], [Holm1979], [Hochberg1988],
+// [Tukey1953], [Kramer1956], [GamesHowell1976], [Dunnett1955], [Holm1979], [Hochberg1988],
 // [BenjaminiHochberg1995]
 #pragma once
 
@@ -23,7 +23,8 @@ struct RangePair {
     double lower = undefined; ///< simultaneous interval of the difference
     double upper = undefined;
     double p = undefined;
-    bool significant = false; ///< at the level asked for
+    double log10_p = undefined; ///< speaks where p is below a double
+    bool significant = false;   ///< at the level asked for
 };
 
 struct RangeTest {
@@ -47,6 +48,31 @@ RangeTest tukey(std::span<const double> means,
 /// Each pair by its own variances and Welch's df; not simultaneous intervals.
 std::vector<RangePair> games_howell(const OneWay& groups, double level = 0.05);
 
+/// One level against the control.
+struct DunnettPair {
+    std::size_t level = 0;
+    double difference = undefined; ///< mean of the level minus mean of the control
+    double t = undefined;
+    double p = undefined;     ///< of the largest of them
+    double lower = undefined; ///< simultaneous interval of the difference
+    double upper = undefined;
+    bool significant = false;
+};
+
+struct DunnettTest {
+    std::size_t control = 0;
+    double df = undefined;
+    double t_critical = undefined;
+    std::vector<DunnettPair> pairs; ///< every level but the control
+};
+
+/// Every group against one, two-sided.  [Dunnett1955]
+DunnettTest dunnett(std::span<const double> means,
+                    std::span<const std::int64_t> sizes,
+                    Variation error,
+                    std::size_t control,
+                    double level = 0.05);
+
 /// One pair by t, with p adjusted for the number of pairs.
 struct TPair {
     std::size_t first = 0;
@@ -55,6 +81,7 @@ struct TPair {
     double t = undefined;
     double df = undefined;
     double p = undefined;
+    double log10_p = undefined;
     double p_bonferroni = undefined;
     double p_holm = undefined;
     double p_hochberg = undefined;
@@ -71,5 +98,9 @@ std::vector<TPair> paired_t(std::span<const std::int64_t> counts,
                             std::size_t groups,
                             std::int64_t divisor,
                             double level = 0.05);
+
+/// Two-sided paired t of real values, row-major subjects x groups.
+std::vector<TPair>
+paired_t(std::span<const long double> values, std::size_t groups, double level = 0.05);
 
 } // namespace analysis::anova

@@ -3,6 +3,7 @@
 // decomposed in integers, so what cannot vary is exactly zero.
 #pragma once
 
+#include "analysis/anova/effect_size.h"
 #include "analysis/anova/f_test.h"
 #include "analysis/anova/sphericity.h"
 
@@ -26,7 +27,9 @@ struct WithinEffect {
     FTest test;
     double eta_squared_partial = undefined;
     double eta_squared_generalized = undefined; ///< all factors manipulated
-    Sphericity sphericity;                      ///< empty for effects on one degree of freedom
+    EtaInterval eta_interval{undefined,
+                             undefined}; ///< of the partial one; filled by who knows a level
+    Sphericity sphericity;               ///< empty for effects on one degree of freedom
 };
 
 struct WithinAnalysis {

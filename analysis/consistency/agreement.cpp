@@ -1,5 +1,6 @@
 #include "analysis/consistency/agreement.h"
 
+#include "analysis/consistency/agreement_exact.h"
 #include "analysis/numerics/distributions.h"
 
 #include <algorithm>
@@ -32,8 +33,9 @@ void tests(Agreement& result) {
 Agreement agreement(const VoteMatrix& matrix) {
     const auto t = static_cast<std::int64_t>(matrix.conditions());
     const auto m = matrix.complete();
-    Agreement result{t,         m,         undefined, undefined, undefined, undefined, undefined,
-                     undefined, undefined, undefined, undefined, undefined, undefined, {}};
+    Agreement result{t,         m,         undefined, undefined, undefined,
+                     undefined, undefined, undefined, undefined, undefined,
+                     undefined, undefined, undefined, undefined, {}};
     if (m < 2 || matrix.total_ties() > 0) {
         result.reason = m == 0   ? "the pairs were not judged equally often"
                         : m == 1 ? "there is one judge"
@@ -56,8 +58,12 @@ Agreement agreement(const VoteMatrix& matrix) {
     result.df_many = pairs;
     result.chi_squared_many = pairs * (1 + result.u * static_cast<double>(m - 1));
     result.p_many = chi_squared_p(result.chi_squared_many, pairs);
+    if (agreeing <= std::numeric_limits<std::int64_t>::max())
+        result.p_exact =
+            agreement_p_exact(static_cast<std::int64_t>(agreeing), m, t).value_or(undefined);
     if (m == 2)
-        result.reason = "two judges: the chi-squared of u has a zero denominator";
+        result.reason =
+            "two judges: the chi-squared of u has a zero denominator; its exact p stands";
     else
         tests(result);
     return result;

@@ -23,6 +23,7 @@ struct Agreement {
     double df_many = 0; ///< the form for many judges
     double chi_squared_many = 0;
     double p_many = 0;
+    double p_exact = 0; ///< NaN where the exact law takes too long
     std::string reason;
 };
 

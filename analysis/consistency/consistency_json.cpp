@@ -44,6 +44,7 @@ Json agreement_row(const ScopedAgreement& cell, const Names& factor_names) {
     row["chi2_large_m"] = a.chi_squared_many;
     row["df_large_m"] = a.df_many;
     row["p_large_m"] = a.p_many;
+    row["p_exact_sigma_at_least"] = a.p_exact;
     if (!a.reason.empty())
         row["reason"] = a.reason;
     return row;
@@ -80,6 +81,8 @@ Json range(const VoteRangeTest& test, const Names& names) {
             {"W_0.01", test.w_001},
             {"R_real_0.01", test.real_range_001},
             {"R_crit_0.01", test.critical_range_001},
+            {"P_exact_at_R_crit_0.05", test.exact_level_005},
+            {"P_exact_at_R_crit_0.01", test.exact_level_001},
             {"pairs", pairs}};
 }
 

@@ -1,5 +1,6 @@
 #include "analysis/consistency/equality.h"
 
+#include "analysis/consistency/exact_laws.h"
 #include "analysis/numerics/distributions.h"
 #include "analysis/numerics/studentized_range.h"
 #include "protocols/contract.h"
@@ -37,6 +38,12 @@ VoteRangeTest range_test(const VoteMatrix& matrix) {
     test.real_range_001 = test.w_001 * spread + 0.25;
     test.critical_range_005 = std::ceil(test.real_range_005);
     test.critical_range_001 = std::ceil(test.real_range_001);
+    const auto level_of = [&](double range) {
+        return range_p_exact(static_cast<std::int64_t>(range), test.votes_per_pair, test.conditions)
+            .value_or(std::numeric_limits<double>::quiet_NaN());
+    };
+    test.exact_level_005 = level_of(test.critical_range_005);
+    test.exact_level_001 = level_of(test.critical_range_001);
     for (std::size_t i = 0; i < matrix.conditions(); ++i)
         for (std::size_t j = i + 1; j < matrix.conditions(); ++j) {
             const double d = static_cast<double>(matrix.half_votes(i) - matrix.half_votes(j)) / 2;

@@ -35,6 +35,8 @@ struct VoteRangeTest {
     double w_005 = 0, w_001 = 0; ///< upper points of the range of as many normals
     double real_range_005 = 0, real_range_001 = 0;
     double critical_range_005 = 0, critical_range_001 = 0; ///< votes: the next integer
+    /// P(a range so large under equality), exactly: the true level; NaN where it takes too long.
+    double exact_level_005 = 0, exact_level_001 = 0;
     std::vector<RangePairVerdict> pairs;
 };
 

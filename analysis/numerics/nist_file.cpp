@@ -100,6 +100,9 @@ protocols::Expected<NistOneWay> read_nist_one_way(std::string_view text, std::st
         return wrong(data->number, fmt::format("{} certified lines before the data, expected 4: "
                                                "Between, Within, R-Squared, Standard Deviation",
                                                certified_lines));
+    const bool headed = data->words.size() == 3;
+    set.factor_name = headed ? data->words[1] : "group";
+    set.response_name = headed ? data->words[2] : "value";
     for (auto line = data.base(); line != lines.end(); ++line) {
         if (line->words.size() != 2)
             return wrong(line->number,

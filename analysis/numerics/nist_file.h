@@ -24,6 +24,8 @@ struct NistCertified {
 };
 
 struct NistOneWay {
+    std::string factor_name; ///< as the file heads its columns
+    std::string response_name;
     std::vector<std::string> labels;          ///< of the groups, in order of first appearance
     std::vector<std::vector<Decimal>> groups; ///< as many as labels
     NistCertified certified;

@@ -29,6 +29,14 @@ double mean(std::span<const double> values) {
     return sum / static_cast<double>(values.size());
 }
 
+// Whether two steps point apart; an empty one does not.
+bool opposed(std::span<const double> a, std::span<const double> b) {
+    double product = 0;
+    for (std::size_t i = 0; i < b.size(); ++i)
+        product += a[i] * b[i];
+    return product < 0;
+}
+
 void centre(std::span<double> values) {
     const double middle = mean(values);
     for (double& value : values)
@@ -178,8 +186,8 @@ ChoiceModel::Maximum ChoiceModel::maximise(std::span<const double> start) {
     at.parameters.assign(start.begin(), start.end());
     at.parameters.resize(parameters_, 0.0);
     ModelPoint here, there;
-    std::vector<double> step, next(parameters_);
-    double filled = 0, before = 0;
+    std::vector<double> step, taken, next(parameters_);
+    double filled = 0, before = 0, damping = 1;
     if (!evaluate(at.parameters, here))
         return at;
     while (at.iterations < most_iterations && factor(here, filled)) {
@@ -190,8 +198,13 @@ ChoiceModel::Maximum ChoiceModel::maximise(std::span<const double> start) {
         // Rounding keeps a step above its bound where the information is tiny: it stops shrinking.
         const bool last = size <= rounding * scale ||
                           (at.iterations > 1 && size <= 1e-12 * scale && size >= before / 2);
+        // Firth's penalty curves the objective more than the information tells, twice as much where
+        // votes are few: full steps would swing about the maximum for ever.
+        if (terms_.firth && size > 0.7 * before && opposed(step, taken))
+            damping = std::max(damping / 2, 1.0 / 16);
+        taken = step;
         before = size;
-        double fraction = 1;
+        double fraction = damping;
         for (int halving = 0; halving < most_halvings; ++halving, fraction /= 2) {
             for (std::size_t k = 0; k < parameters_; ++k)
                 next[k] = at.parameters[k] + fraction * step[k];

@@ -1,5 +1,6 @@
 // pairlight methods: every shading method and its dials, as a study file may name them.
 #include "experiment/commands/commands.h"
+#include "experiment/reference_dials.h"
 #include "renderer/methods/catalogue.h"
 
 #include <CLI/CLI.hpp>
@@ -52,6 +53,16 @@ std::string as_markdown(const Description& method) {
     return text;
 }
 
+/// Those that draw, and the one that follows light.
+std::vector<Description> all_methods() {
+    const auto drawn = renderer::methods::catalogue();
+    std::vector<Description> all(drawn.begin(), drawn.end());
+    all.push_back({.name = std::string(reference_method),
+                   .label = "Path-traced reference",
+                   .dials = reference_dials()});
+    return all;
+}
+
 } // namespace
 
 void add_methods(CLI::App& program) {
@@ -64,7 +75,7 @@ void add_methods(CLI::App& program) {
             fmt::print("# Methods\n\nWhat `method` and its dials may be in a `[[condition]]`. Keys "
                        "in brackets are those of [bibliography.md](bibliography.md). This page is "
                        "the output of `pairlight methods --markdown`.\n");
-        for (const auto& method : renderer::methods::catalogue())
+        for (const auto& method : all_methods())
             fmt::print("{}", *markdown ? as_markdown(method) : as_text(method));
     });
 }

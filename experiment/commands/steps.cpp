@@ -37,8 +37,7 @@ stimuli::RenderSummary render_stimuli(const LoadedStudy& loaded,
     return summary;
 }
 
-analysis::Findings findings_of(const VoteSource& votes) {
-    analysis::AnalysisOptions options;
+analysis::Findings findings_of(const VoteSource& votes, analysis::AnalysisOptions options) {
     options.source = votes.name;
     options.source_digest = votes.sha256;
     options.program = PAIRLIGHT_PROGRAM_VERSION;

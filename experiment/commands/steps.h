@@ -17,7 +17,7 @@ stimuli::RenderSummary render_stimuli(const LoadedStudy& loaded,
                                       const Voice& voice);
 
 /// What the votes mean, named with their source and this program.
-analysis::Findings findings_of(const VoteSource& votes);
+analysis::Findings findings_of(const VoteSource& votes, analysis::AnalysisOptions options = {});
 
 /// Writes report/report.html, its figures and findings.json; the page's path.  Errors:
 /// CommandError.

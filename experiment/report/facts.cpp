@@ -335,7 +335,8 @@ FactList about_the_votes(const Records& records, const Findings& findings) {
     const auto& design = findings.design;
     return {"Votes",
             {{"Votes, ties, missing",
-              fmt::format("{}, {}, {}", design.votes, design.ties, design.missing)},
+              fmt::format("{}, {}, {}", design.votes, design.ties,
+                          design.missing_known ? fmt::format("{}", design.missing) : "not known")},
              {"Answers before input opened", known(early_keys(records.sittings))},
              {"Response times", known(response_times(records.sittings))},
              {"Left picture chosen", known(left_side(findings))},

@@ -1,9 +1,11 @@
 // gnuplot scripts from findings.
 #include "experiment/report/figures.h"
 
+#include "experiment/report/figure_parts.h"
 #include "experiment/report/gnuplot.h"
 #include "experiment/report/numbers.h"
 #include "experiment/report/plain_words.h"
+#include "experiment/report/scale_figures.h"
 #include "experiment/report/shares.h"
 #include "experiment/report/simulated.h"
 #include "experiment/report/tables.h"
@@ -16,27 +18,6 @@
 namespace experiment::report {
 
 namespace {
-
-constexpr const char* ink = "#22262b";
-constexpr int bar_width = 720;
-constexpr const char* bar_blue = "#7fa8c9";
-
-// Sizes in points (1/72 inch), which SVG viewers show as pixels.  pdfcairo's letters come out a
-// third larger than SVG's at the same size: 0.75 makes both figures alike.
-std::string terminal(FigureForm form, int width, int height) {
-    const std::string common =
-        form == FigureForm::Svg
-            ? fmt::format("set terminal svg size {},{} dynamic noenhanced font 'sans-serif,14' "
-                          "background '#ffffff'\n",
-                          width, height)
-            : fmt::format("set terminal pdfcairo size {:.4f}in,{:.4f}in noenhanced font "
-                          "'sans-serif,14' fontscale 0.75\n",
-                          width / 72.0, height / 72.0);
-    return "set encoding utf8\n" + common +
-           fmt::format("set border lc rgb '{0}'\nset key off\nset tics nomirror textcolor rgb "
-                       "'{0}'\nset title textcolor rgb '{0}'\nset xlabel textcolor rgb '{0}'\n",
-                       ink);
-}
 
 // Conditions down the side, each with its place where columns are known by it.
 std::string name_tics(const ReportContents& contents, MatrixHeads heads) {
@@ -53,26 +34,15 @@ std::string name_tics(const ReportContents& contents, MatrixHeads heads) {
     return fmt::format("set ytics ({})\n", tics);
 }
 
-std::size_t characters(const std::string& text) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(text, [](char byte) { return (byte & 0xc0) != 0x80; }));
-}
-
-// gnuplot does not know how wide letters are in SVG and leaves far too much room for them.  So the
-// names' share of the width is set here: 0.56 em is wide for a mean letter of a sans serif face.
 double name_margin(const ReportContents& contents, int width) {
     std::size_t longest = 0;
     for (const auto& place : contents.findings.ranking)
         longest = std::max(longest, characters(condition_label(contents, place.condition)));
-    return std::min(0.5, (0.56 * 14 * static_cast<double>(longest + 3) + 12) / width);
+    return margin_of(longest, width);
 }
 
 int matrix_width(const ReportContents& contents) {
     return 400 + 90 * static_cast<int>(contents.findings.ranking.size());
-}
-
-std::string number_or_nan(double value) {
-    return std::isnan(value) ? "NaN" : fmt::format("{:.17g}", value);
 }
 
 std::string bar_text(const analysis::RankedCondition& bar) {
@@ -199,19 +169,23 @@ tl::expected<std::vector<Figure>, std::string> draw_figures(const ReportContents
         {"vote-matrix",
          "Votes for the row over the column; blue: the row was chosen more often than not.",
          matrix_in_words(contents), "", ""}};
-    const auto draw = [&](auto&& script_of, Figure& figure) -> tl::expected<void, std::string> {
+    using Script = std::string (*)(const ReportContents&, FigureForm);
+    std::vector<Script> scripts{mean_votes_script, vote_matrix_script};
+    if (has_scale(contents)) {
+        scripts.push_back(scale_script);
+        figures.push_back({"scale", scale_caption(contents), scale_in_words(contents), "", ""});
+    }
+    if (!contents.findings.residuals.residual.empty()) {
+        scripts.push_back(residuals_script);
+        figures.push_back({"residuals", residuals_caption(), residuals_in_words(contents), "", ""});
+    }
+    for (std::size_t i = 0; i < figures.size(); ++i)
         for (const auto form : {FigureForm::Svg, FigureForm::Pdf}) {
-            auto drawn = run_gnuplot(script_of(contents, form));
+            auto drawn = run_gnuplot(scripts[i](contents, form));
             if (!drawn)
                 return tl::unexpected(drawn.error());
-            (form == FigureForm::Svg ? figure.svg : figure.pdf) = std::move(*drawn);
+            (form == FigureForm::Svg ? figures[i].svg : figures[i].pdf) = std::move(*drawn);
         }
-        return {};
-    };
-    if (auto drawn = draw(mean_votes_script, figures[0]); !drawn)
-        return tl::unexpected(drawn.error());
-    if (auto drawn = draw(vote_matrix_script, figures[1]); !drawn)
-        return tl::unexpected(drawn.error());
     return figures;
 }
 

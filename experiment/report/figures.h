@@ -28,7 +28,7 @@ std::string vote_matrix_script(const ReportContents& contents, FigureForm form);
 /// What the bars' intervals are: "95 % t intervals over 10 observers"; "" when there are none.
 std::string interval_name(const ReportContents& contents);
 
-/// Both figures.  Errors: those of `run_gnuplot`.
+/// Both figures, the scale and the residuals where there are any.  Errors: those of `run_gnuplot`.
 tl::expected<std::vector<Figure>, std::string> draw_figures(const ReportContents& contents);
 
 } // namespace experiment::report

@@ -2,11 +2,13 @@
 // was shown, under which circumstances.
 #include "experiment/report/page.h"
 
+#include "experiment/report/body.h"
 #include "experiment/report/html.h"
 #include "experiment/report/numbers.h"
 #include "experiment/report/page.css.h"
 #include "experiment/report/page.html.h"
 #include "experiment/report/plain_words.h"
+#include "experiment/report/scale_sections.h"
 #include "experiment/report/shares.h"
 #include "experiment/report/sheets.h"
 #include "experiment/report/simulated.h"
@@ -22,59 +24,6 @@
 namespace experiment::report {
 
 namespace {
-
-// Grows the body and numbers what is in it.  Every caption passes through here, so none can forget
-// to say that votes are simulated.
-class Body {
-  public:
-    explicit Body(const ReportContents& contents) : contents_(contents) {}
-
-    void add(const std::string& markup) { markup_ += markup; }
-
-    void heading(const std::string& text) {
-        markup_ += fmt::format("<h2>{}</h2>\n", escaped(text));
-    }
-
-    void subheading(const std::string& text) {
-        markup_ += fmt::format("<h3>{}</h3>\n", escaped(text));
-    }
-
-    void paragraph(const std::string& text, const std::string& kind = "") {
-        markup_ += kind.empty() ? fmt::format("<p>{}</p>\n", escaped(text))
-                                : fmt::format("<p class=\"{}\">{}</p>\n", kind, escaped(text));
-    }
-
-    void notes(const std::string& about) {
-        for (const auto& note : contents_.findings.notes)
-            if (note.about == about)
-                paragraph(note.text, "note");
-    }
-
-    void table(const std::string& text, const std::string& markup) {
-        captioned(fmt::format("Table {}", ++tables_), text,
-                  "<div class=\"wide\">" + markup + "</div>");
-    }
-
-    void figure(const Figure& figure) {
-        captioned(fmt::format("Figure {}", ++figures_), figure.caption,
-                  fmt::format("<div class=\"wide\"><img src=\"{}\" alt=\"{}\"></div>",
-                              data_address("image/svg+xml", figure.svg),
-                              escaped(marked_if_simulated(contents_, figure.description))));
-    }
-
-    const std::string& markup() const { return markup_; }
-
-  private:
-    void captioned(const std::string& number, const std::string& text, const std::string& content) {
-        markup_ += fmt::format("<figure><figcaption><b>{}.</b> {}</figcaption>\n{}</figure>\n",
-                               number, escaped(marked_if_simulated(contents_, text)), content);
-    }
-
-    const ReportContents& contents_;
-    std::string markup_;
-    int tables_ = 0;
-    int figures_ = 0;
-};
 
 std::string counted(std::int64_t count, const std::string& one) {
     return fmt::format("{} {}{}", grouped(count), one, count == 1 ? "" : "s");
@@ -259,6 +208,8 @@ std::string report_page(const ReportContents& contents, const std::vector<Figure
     add_result(body, contents, figures);
     add_matrices(body, contents);
     add_default_tests(body, contents);
+    add_scales(body, contents, figures);
+    add_observers(body, contents, figures);
     add_paper_tests(body, contents);
     add_stimuli(body, contents);
     add_circumstances(body, contents);

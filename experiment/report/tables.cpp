@@ -28,6 +28,13 @@ std::string interval(double lower, double upper, int decimals) {
                : decimal(lower, decimals) + " to " + decimal(upper, decimals);
 }
 
+// "0.868 (0.747 to 0.907)"
+std::string eta_cell(const analysis::anova::WithinEffect& effect) {
+    const auto& [lower, upper] = effect.eta_interval;
+    return decimal(effect.eta_squared_partial, 3) +
+           (std::isnan(lower) ? "" : " (" + interval(lower, upper, 3) + ")");
+}
+
 // The analysis calls the factor under study "method" and joins names by ':' or "_x_"; people are
 // told of conditions.
 std::string effect_name(const std::string& name) {
@@ -148,14 +155,13 @@ std::string vote_matrix_table(const ReportContents& contents,
 std::string within_table(const analysis::anova::WithinAnalysis& analysis) {
     std::vector<EffectRow> effects;
     for (const auto& effect : analysis.effects)
-        effects.push_back(
-            {effect.name,
-             effect.effect,
-             effect.test,
-             effect.error,
-             {p_value(effect.sphericity.p_greenhouse_geisser),
-              p_value(effect.sphericity.p_huynh_feldt), decimal(effect.eta_squared_partial, 3),
-              decimal(effect.eta_squared_generalized, 3)}});
+        effects.push_back({effect.name,
+                           effect.effect,
+                           effect.test,
+                           effect.error,
+                           {p_value(effect.sphericity.p_greenhouse_geisser),
+                            p_value(effect.sphericity.p_huynh_feldt), eta_cell(effect),
+                            decimal(effect.eta_squared_generalized, 3)}});
     return html_table("numbers anova",
                       html_head({"Source", "SS", "df", "MS", "F", "p", "p GG", "p HF",
                                  "\u03b7\u00b2\u00a0part.", "\u03b7\u00b2\u00a0gen."}),

@@ -1,13 +1,12 @@
 // The screen that people sit in front of.
-#define GLFW_INCLUDE_NONE
 #include "experiment/session/window.h"
 
+#include "experiment/session/glfw.h"
 #include "experiment/session/glfw_keys.h"
 #include "experiment/session/page_drawing.h"
 #include "experiment/session/pair_layout.h"
 #include "renderer/gpu/context.h"
 
-#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,40 +24,6 @@ using renderer::gpu::PixelCanvas;
 
 // How often events are looked for: the resolution of response times.
 constexpr double poll_seconds = 0.001;
-
-// GLFW's last complaint, for messages.
-std::string glfw_complaint() {
-    const char* words = nullptr;
-    return glfwGetError(&words) == GLFW_NO_ERROR || words == nullptr ? "no reason given" : words;
-}
-
-// The library, initialised while this lives.
-class Glfw {
-  public:
-    static Expected<std::unique_ptr<Glfw>> start() {
-        if (glfwInit() == GLFW_TRUE)
-            return std::unique_ptr<Glfw>(new Glfw);
-        const char* display = std::getenv("DISPLAY");
-        return tl::unexpected(fmt::format(
-            "there is no display to show pictures on (DISPLAY is {}; {}); expected a desktop, or "
-            "--simulate for a simulated observer, who needs none",
-            display ? fmt::format("\"{}\"", display) : "not set", glfw_complaint()));
-    }
-
-    ~Glfw() { glfwTerminate(); }
-
-    Glfw(const Glfw&) = delete;
-    Glfw& operator=(const Glfw&) = delete;
-
-  private:
-    Glfw() = default;
-};
-
-struct DestroyWindow {
-    void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
-};
-
-using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
 
 Expected<GLFWmonitor*> chosen_monitor(int number) {
     int count = 0;
@@ -442,7 +407,8 @@ class Window final : public WindowScreen {
 
 Expected<std::unique_ptr<WindowScreen>>
 open_window(const WindowOptions& options, LoadPicture load, const Clock& clock) {
-    auto glfw = Glfw::start();
+    auto glfw =
+        Glfw::start("expected a desktop, or --simulate for a simulated observer, who needs none");
     if (!glfw)
         return tl::unexpected(glfw.error());
     const auto monitor = chosen_monitor(options.monitor);

@@ -51,6 +51,7 @@ Json to_json(const protocols::Picture& picture, const PictureRecord& record) {
     add(json, "precompute_seconds", record.precompute_seconds);
     add(json, "frame_milliseconds", record.frame_milliseconds);
     add(json, "bytes_per_vertex", record.bytes_per_vertex);
+    add(json, "decision", record.decision);
     add(json, "remark", record.remark);
     return json;
 }
@@ -83,6 +84,7 @@ PictureRecord picture_record(const Json& json) {
     record.precompute_seconds = optional_value<double>(json, "precompute_seconds");
     record.frame_milliseconds = optional_value<double>(json, "frame_milliseconds");
     record.bytes_per_vertex = optional_value<std::size_t>(json, "bytes_per_vertex");
+    record.decision = optional_value<std::string>(json, "decision");
     record.remark = optional_value<std::string>(json, "remark");
     return record;
 }

@@ -44,7 +44,8 @@ struct PictureRecord {
     std::optional<double> precompute_seconds;
     std::optional<double> frame_milliseconds; ///< median of the draws of this picture
     std::optional<std::size_t> bytes_per_vertex;
-    std::optional<std::string> remark; ///< what was repaired or retried on the way
+    std::optional<std::string> decision; ///< what the method chose by itself, and why
+    std::optional<std::string> remark;   ///< what was repaired or retried on the way
     bool operator==(const PictureRecord&) const = default;
 };
 

@@ -48,11 +48,20 @@ std::string described(const protocols::Light& light) {
                        light.intensity[1], light.intensity[2]);
 }
 
-std::string described(const protocols::Condition& condition) {
+std::string described(const protocols::ShadingCoefficients& k) {
+    return fmt::format("{} {} {} {}", fmt::join(k.ambient, " "), fmt::join(k.diffuse, " "),
+                       fmt::join(k.specular, " "), fmt::join(k.scatter, " "));
+}
+
+/// With what is its own in the scene that is drawn.
+std::string described(const protocols::Condition& condition, const protocols::Scene& scene) {
     std::string text = fmt::format("condition {}", condition.id.value);
-    if (const auto* rendering = std::get_if<protocols::Rendering>(&condition.source))
+    if (const auto* rendering = std::get_if<protocols::Rendering>(&condition.source)) {
         for (const auto& [name, value] : dials(*rendering))
             text += fmt::format(" {}={}", name, value);
+        if (const auto own = rendering->k.find(scene.id.value); own != rendering->k.end())
+            text += " k " + described(own->second);
+    }
     return text + '\n';
 }
 
@@ -79,7 +88,7 @@ std::string recipe(const protocols::Study& study,
     for (const auto& light : variant.lights)
         text += described(light);
     for (const auto& condition : study.conditions)
-        text += described(condition);
+        text += described(condition, scene);
     return protocols::sha256_hexadecimal(text);
 }
 

@@ -153,7 +153,8 @@ Expected<void> Run::render_scene(const Scene& scene) {
                                    options_.samples);
         for (auto& [picture, record] : *records) {
             record.recipe = cooked;
-            record.renderer = renderer_;
+            if (record.renderer.empty())
+                record.renderer = renderer_;
             manifest_.pictures[picture] = std::move(record);
             ++summary_.rendered;
         }

@@ -1,22 +1,22 @@
 // Every method is made from one subject, which hands out thickness fields that are traced once.
 #include "experiment/stimuli/scene_renderer.h"
 
-#include "experiment/materials.h"
+#include "experiment/reference_dials.h"
+#include "experiment/stimuli/lit_scene.h"
 #include "experiment/stimuli/recipe.h"
 #include "experiment/text_files.h"
+#include "experiment/traced_fields.h"
 #include "protocols/digest.h"
-#include "renderer/camera.h"
+#include "renderer/geometry/morton_order.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/image_files.h"
 #include "renderer/methods/catalogue.h"
 #include "renderer/methods/picture.h"
 
 #include <fmt/core.h>
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <tuple>
 #include <utility>
 
 namespace experiment::stimuli {
@@ -24,7 +24,6 @@ namespace experiment::stimuli {
 namespace fs = std::filesystem;
 namespace imaging = renderer::imaging;
 namespace methods = renderer::methods;
-namespace thickness = renderer::thickness;
 
 using protocols::Picture;
 using protocols::Rendering;
@@ -39,74 +38,21 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Thickness of one mesh, traced once for every kind and number of directions, with as many bands
-/// as the study's methods usually ask for.
-class TracedFields {
-  public:
-    using Field = std::shared_ptr<const thickness::ThicknessField>;
+renderer::LinearRgb colour_of(const std::array<double, 3>& rgb) {
+    return {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
+}
 
-    TracedFields(LoadedModel& model, const thickness::Progress& progress)
-        : model_(model), progress_(progress) {}
-
-    Expected<Field> field(const thickness::FieldOptions& asked) {
-        auto options = asked;
-        options.bands = std::max(options.bands, thickness::FieldOptions{}.bands);
-        auto& traced = fields_[{options.kind, options.directions, options.bands}];
-        if (traced.field == nullptr) {
-            const auto start = Clock::now();
-            auto field = thickness::compute_thickness_field(model_.mesh, options, progress_);
-            if (!field)
-                return tl::unexpected(field.error());
-            remark(field->statistics);
-            traced.field = std::make_shared<const thickness::ThicknessField>(std::move(*field));
-            traced.seconds = seconds_since(start);
-            seconds_spent_ += traced.seconds;
-        }
-        seconds_owed_ += traced.seconds;
-        return traced.field;
+/// The scene with the coefficients that the condition has of its own there, if it has any.
+renderer::Scene
+as_shaded(renderer::Scene scene, const Rendering& rendering, const protocols::SceneId& id) {
+    if (const auto own = rendering.k.find(id.value); own != rendering.k.end()) {
+        auto& k = scene.material.reflectance;
+        k.ambient = colour_of(own->second.ambient);
+        k.diffuse = colour_of(own->second.diffuse);
+        k.specular = colour_of(own->second.specular);
+        k.scatter = colour_of(own->second.scatter);
     }
-
-    /// What tracing would add to the time that whoever asked since the last call has taken, had
-    /// nobody else asked for the same before.
-    double take_seconds_saved() {
-        return std::exchange(seconds_owed_, 0) - std::exchange(seconds_spent_, 0);
-    }
-
-  private:
-    struct Traced {
-        double seconds = 0;
-        Field field;
-    };
-
-    void remark(const renderer::geometry::RayStatistics& rays) {
-        if (rays.retried + rays.fallbacks > 0)
-            model_.remarks.push_back(
-                fmt::format("{} of {} rays were traced again, {} decided by winding number",
-                            rays.retried, rays.rays, rays.fallbacks));
-    }
-
-    LoadedModel& model_;
-    const thickness::Progress& progress_;
-    std::map<std::tuple<thickness::Kind, int, int>, Traced> fields_;
-    double seconds_spent_ = 0;
-    double seconds_owed_ = 0;
-};
-
-renderer::Light light_of(const protocols::Light& light, const renderer::Camera& camera) {
-    const auto& [r, g, b] = light.intensity;
-    renderer::Light placed;
-    placed.intensity = {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)};
-    if (light.kind == protocols::Light::Kind::Far) {
-        const auto& [x, y, z] = light.to_light;
-        placed.place =
-            renderer::DirectionalLight{renderer::world_from_view_axes(camera, {x, y, z})};
-    } else {
-        // The scene's centre is the world's origin: a place turns like a direction.
-        const auto& [x, y, z] = light.position_mm;
-        placed.place = renderer::PointLight{renderer::world_from_view_axes(camera, {x, y, z}),
-                                            renderer::Millimetres{light.reference_mm}};
-    }
-    return placed;
+    return scene;
 }
 
 } // namespace
@@ -131,17 +77,18 @@ Expected<SceneRenderer> SceneRenderer::prepare(const protocols::Study& study,
                                                LoadedModel model,
                                                int samples,
                                                const std::function<void(double)>& progress) {
+    // Neighbours in one block of coefficients, and in one line of the cache.
+    model.mesh = renderer::geometry::along_morton_curve(model.mesh);
     SceneRenderer scene_renderer(study, scene, std::move(model), samples);
-    const auto material = material_of(study, scene);
-    if (!material)
-        return tl::unexpected(fmt::format("no material \"{}\"", scene.material));
-    scene_renderer.material_ = *material;
     if (auto prepared = scene_renderer.prepare_contenders(progress); !prepared)
         return tl::unexpected(prepared.error());
     return scene_renderer;
 }
 
 Expected<void> SceneRenderer::prepare_contenders(const std::function<void(double)>& progress) {
+    const auto seen = seen_scene(*study_, *scene_, model_.mesh);
+    if (!seen)
+        return tl::unexpected(seen.error());
     auto surface = methods::Surface::upload(model_.mesh);
     if (!surface)
         return tl::unexpected(surface.error());
@@ -149,71 +96,100 @@ Expected<void> SceneRenderer::prepare_contenders(const std::function<void(double
     const methods::Subject subject{
         .mesh = model_.mesh,
         .surface = *surface,
-        .material = material_,
-        .placement = seen().placement,
+        .material = seen->material,
+        .placement = seen->placement,
         .field = [&](const auto& options) { return fields.field(options); },
         .progress = progress};
     for (const auto& condition : study_->conditions) {
         const auto* rendering = std::get_if<Rendering>(&condition.source);
         if (rendering == nullptr)
             continue;
+        if (rendering->method == reference_method) {
+            contenders_.push_back({&condition, nullptr, {}});
+            continue;
+        }
         const auto start = Clock::now();
         auto method = methods::prepare_method(rendering->method, rendering->dials, subject);
         if (!method)
             return tl::unexpected(
                 fmt::format("condition \"{}\": {}", condition.id.value, method.error()));
         contenders_.push_back(
-            {&condition, std::move(*method), seconds_since(start) + fields.take_seconds_saved()});
+            {&condition, std::move(*method), fields.seconds_alone(seconds_since(start))});
     }
     return {};
 }
 
-renderer::Scene SceneRenderer::seen() const {
-    const auto& up = scene_->up;
-    const renderer::Turntable turntable{
-        scene_->turn_degrees, scene_->elevation_degrees, {up[0], up[1], up[2]}};
-    const auto sphere = renderer::geometry::bounding_sphere(model_.mesh);
-    const renderer::Millimetres diameter{
-        scene_->mm_per_unit ? 2 * sphere.radius * *scene_->mm_per_unit : scene_->diameter_mm};
-    renderer::Scene scene;
-    scene.placement = renderer::place(sphere, diameter, turntable);
-    scene.camera =
-        renderer::frame(diameter, turntable, static_cast<double>(study_->width) / study_->height);
-    scene.material = material_;
-    return scene;
-}
-
-renderer::Scene SceneRenderer::lit_by(const protocols::Variant& variant) const {
-    auto scene = seen();
-    scene.lights.clear();
-    for (const auto& light : variant.lights)
-        scene.lights.push_back(light_of(light, scene.camera));
-    return scene;
-}
-
 Expected<std::vector<SceneRenderer::Drawn>>
 SceneRenderer::draw_all(const protocols::Variant& variant) {
-    const auto scene = lit_by(variant);
+    const auto scene = lit_scene(*study_, *scene_, variant, model_.mesh);
+    if (!scene)
+        return tl::unexpected(scene.error());
     std::vector<Drawn> drawn;
     for (auto& contender : contenders_) {
-        const auto start = Clock::now();
-        auto image = methods::render_picture(*contender.method, scene, study_->width,
-                                             study_->height, samples_);
-        if (!image)
-            return tl::unexpected(image.error());
-        PictureRecord record;
-        record.frame_milliseconds = 1000.0 * seconds_since(start) / samples_;
-        record.dials = dials(std::get<Rendering>(contender.condition->source));
-        record.width = study_->width;
-        record.height = study_->height;
-        record.model = model_.record;
-        record.precompute_seconds = contender.precompute_seconds;
-        record.bytes_per_vertex = contender.method->cost().bytes_per_vertex;
-        drawn.push_back({{scene_->id, variant.id, contender.condition->id},
-                         std::move(*image),
-                         std::move(record)});
+        auto one = contender.method != nullptr ? draw(contender, *scene)
+                                               : draw_reference(*contender.condition, *scene);
+        if (!one)
+            return tl::unexpected(one.error());
+        one->picture = {scene_->id, variant.id, contender.condition->id};
+        one->record.dials = dials(std::get<Rendering>(contender.condition->source));
+        one->record.width = study_->width;
+        one->record.height = study_->height;
+        one->record.model = model_.record;
+        drawn.push_back(std::move(*one));
     }
     return drawn;
+}
+
+Expected<SceneRenderer::Drawn> SceneRenderer::draw(Contender& contender,
+                                                   const renderer::Scene& scene) const {
+    const auto start = Clock::now();
+    auto image = methods::render_picture(
+        *contender.method,
+        as_shaded(scene, std::get<Rendering>(contender.condition->source), scene_->id),
+        study_->width, study_->height, samples_);
+    if (!image)
+        return tl::unexpected(image.error());
+    PictureRecord record;
+    record.frame_milliseconds = 1000.0 * seconds_since(start) / samples_;
+    record.precompute_seconds = contender.precompute_seconds;
+    record.bytes_per_vertex = contender.method->cost().bytes_per_vertex;
+    if (const auto decision = contender.method->decision(); !decision.empty())
+        record.decision = decision;
+    return Drawn{{}, std::move(*image), std::move(record)};
+}
+
+Expected<SceneRenderer::Drawn> SceneRenderer::draw_reference(const protocols::Condition& condition,
+                                                             const renderer::Scene& scene) const {
+    const auto start = Clock::now();
+    auto picture = renderer::reference::reference_picture(
+        model_.mesh, scene, study_->width, study_->height,
+        reference_run(std::get<Rendering>(condition.source).dials));
+    if (!picture)
+        return tl::unexpected(
+            fmt::format("condition \"{}\": {}", condition.id.value, picture.error()));
+    PictureRecord record;
+    record.renderer = fmt::format("path tracer, {} samples, standard error {:.3g} % of the mean",
+                                  picture->samples, 100 * picture->outcome.state.relative_error);
+    record.frame_milliseconds = 1000.0 * seconds_since(start);
+    return Drawn{{}, std::move(picture->image), std::move(record)};
+}
+
+/// Brightness is that of the reference, where there is one.
+std::optional<double> SceneRenderer::reference_mean(const std::vector<Drawn>& drawn,
+                                                    std::span<const std::size_t> mask) const {
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        if (contenders_[i].method == nullptr && !mask.empty())
+            return imaging::mean_luminance(drawn[i].image, mask);
+    return std::nullopt;
+}
+
+/// Pixels that every picture covers wholly: the reference's samples lie elsewhere than OpenGL's.
+std::vector<std::size_t> SceneRenderer::common_mask(const std::vector<Drawn>& drawn) {
+    auto coverage = drawn.front().image.coverage;
+    for (const auto& one : drawn)
+        std::ranges::transform(coverage, one.image.coverage, coverage.begin(),
+                               [](float a, float b) { return std::min(a, b); });
+    return imaging::covered_pixels(coverage);
 }
 
 Expected<std::map<Picture, PictureRecord>> SceneRenderer::render(const protocols::Variant& variant,
@@ -224,8 +200,8 @@ Expected<std::map<Picture, PictureRecord>> SceneRenderer::render(const protocols
     std::vector<imaging::NamedImage> pictures;
     for (const auto& one : *drawn)
         pictures.push_back({one.picture.condition.value, one.image});
-    const auto mask = imaging::covered_pixels(drawn->front().image.coverage);
-    const auto matches = imaging::match_brightness(pictures, mask);
+    const auto mask = common_mask(*drawn);
+    const auto matches = imaging::match_brightness(pictures, mask, reference_mean(*drawn, mask));
     if (!matches)
         return tl::unexpected(fmt::format("scene \"{}\", variant \"{}\": {}", scene_->id.value,
                                           variant.id.value, matches.error()));
@@ -263,6 +239,44 @@ Expected<std::map<Picture, PictureRecord>> SceneRenderer::render(const protocols
         records.emplace(picture, std::move(record));
     }
     return records;
+}
+
+Expected<std::vector<Fit>>
+SceneRenderer::fit(const std::vector<protocols::Variant>& variants,
+                   const protocols::VariantId& held_out,
+                   const std::map<protocols::VariantId, imaging::LinearImage>& targets) {
+    std::vector<Fit> fits;
+    for (auto& contender : contenders_) {
+        if (contender.method == nullptr)
+            continue;
+        methods::ReflectanceFit best;
+        std::optional<methods::LightPictures> test;
+        for (const auto& variant : variants) {
+            const auto scene = lit_scene(*study_, *scene_, variant, model_.mesh);
+            if (!scene)
+                return tl::unexpected(scene.error());
+            auto terms = methods::term_pictures(*contender.method, *scene, study_->width,
+                                                study_->height, samples_);
+            if (!terms)
+                return tl::unexpected(terms.error());
+            methods::LightPictures pictures{std::move(*terms), targets.at(variant.id)};
+            if (variant.id == held_out)
+                test = std::move(pictures);
+            else if (auto added = best.add_training_light(pictures); !added)
+                return tl::unexpected(
+                    fmt::format("variant \"{}\": {}", variant.id.value, added.error()));
+        }
+        const auto result = best.best();
+        Fit fit{scene_->id, contender.condition->id, result, {}};
+        if (test) {
+            const auto error = methods::fit_error(result.reflectance, *test);
+            if (!error)
+                return tl::unexpected(error.error());
+            fit.held_out_error = *error;
+        }
+        fits.push_back(std::move(fit));
+    }
+    return fits;
 }
 
 } // namespace experiment::stimuli

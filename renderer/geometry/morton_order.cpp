@@ -38,4 +38,21 @@ std::vector<std::uint32_t> morton_order(std::span<const glm::vec3> positions) {
     return order;
 }
 
+Mesh along_morton_curve(const Mesh& mesh) {
+    const auto bounds = bounding_sphere(mesh);
+    const double diameter = bounds.radius > 0 ? 2 * bounds.radius : 1; // all in one point
+    std::vector<glm::vec3> unit;
+    for (const auto& position : mesh.positions)
+        unit.emplace_back((position - bounds.centre) / diameter);
+    Mesh moved;
+    std::vector<std::uint32_t> place(mesh.positions.size());
+    for (const auto v : morton_order(unit)) {
+        place[v] = static_cast<std::uint32_t>(moved.positions.size());
+        moved.positions.push_back(mesh.positions[v]);
+    }
+    for (const auto& [a, b, c] : mesh.triangles)
+        moved.triangles.push_back({place[a], place[b], place[c]});
+    return moved;
+}
+
 } // namespace renderer::geometry

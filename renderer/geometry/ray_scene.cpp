@@ -89,7 +89,8 @@ void occluded_without_filter(RTCScene scene, RTCRay& ray) {
 #endif
 }
 
-RTCRay endless_ray(glm::vec3 origin, glm::vec3 direction, float nearest, std::size_t id = 0) {
+RTCRay ray_between(
+    glm::vec3 origin, glm::vec3 direction, float nearest, float farthest, std::size_t id = 0) {
     RTCRay ray{};
     ray.org_x = origin.x;
     ray.org_y = origin.y;
@@ -98,10 +99,14 @@ RTCRay endless_ray(glm::vec3 origin, glm::vec3 direction, float nearest, std::si
     ray.dir_y = direction.y;
     ray.dir_z = direction.z;
     ray.tnear = nearest;
-    ray.tfar = std::numeric_limits<float>::infinity();
+    ray.tfar = farthest;
     ray.mask = ~0u;
     ray.id = static_cast<unsigned>(id);
     return ray;
+}
+
+RTCRay endless_ray(glm::vec3 origin, glm::vec3 direction, float nearest, std::size_t id = 0) {
+    return ray_between(origin, direction, nearest, std::numeric_limits<float>::infinity(), id);
 }
 
 RTCSceneFlags scene_flags() {
@@ -228,6 +233,35 @@ bool RayScene::is_occluded(glm::vec3 origin, glm::vec3 direction, float nearest)
     RTCRay ray = endless_ray(origin, direction, nearest);
     occluded_without_filter(handles_->scene, ray);
     return ray.tfar < 0;
+}
+
+bool RayScene::meets(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) const {
+    RTCRay ray = ray_between(origin, direction, nearest, farthest);
+    occluded_without_filter(handles_->scene, ray);
+    return ray.tfar < 0;
+}
+
+std::optional<Hit>
+RayScene::first_hit(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) const {
+    RTCRayHit query{};
+    query.ray = ray_between(origin, direction, nearest, farthest);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    QueryContext context;
+#if RTC_VERSION_MAJOR < 4
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(handles_->scene, &context, &query);
+#else
+    rtcInitRayQueryContext(&context);
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = &context;
+    rtcIntersect1(handles_->scene, &query, &arguments);
+#endif
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+        return std::nullopt;
+    const float along =
+        query.hit.Ng_x * direction.x + query.hit.Ng_y * direction.y + query.hit.Ng_z * direction.z;
+    return Hit{query.ray.tfar, query.hit.primID, along > 0};
 }
 
 } // namespace renderer::geometry

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -67,6 +68,13 @@ class RayScene {
     /// Whether the ray meets anything farther than `nearest` from its origin.
     /// Units: `origin` in scene coordinates, `direction` unit length.
     bool is_occluded(glm::vec3 origin, glm::vec3 direction, float nearest) const;
+
+    /// Whether the ray meets a triangle between the two distances.
+    bool meets(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) const;
+
+    /// The nearest triangle the ray meets between the two distances.
+    std::optional<Hit>
+    first_hit(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) const;
 
     std::span<const Triangle> triangles() const { return triangles_; }
 

@@ -44,4 +44,8 @@ void Buffer::bind_uniform_block(unsigned binding) const {
     glBindBufferBase(GL_UNIFORM_BUFFER, binding, buffer_.name());
 }
 
+void Buffer::bind_storage_block(unsigned binding) const {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer_.name());
+}
+
 } // namespace renderer::gpu

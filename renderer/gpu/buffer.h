@@ -34,6 +34,9 @@ class Buffer {
     /// Makes it the uniform block of that binding in every shader.
     void bind_uniform_block(unsigned binding) const;
 
+    /// Makes it the storage block of that binding in every shader.
+    void bind_storage_block(unsigned binding) const;
+
     unsigned name() const { return buffer_.name(); }
 
     std::size_t bytes() const { return bytes_; }

@@ -115,7 +115,9 @@ Expected<void> check_exr(const fs::path& file, const ImageInput& reader) {
     const auto& spec = reader.spec();
     if (std::string_view(reader.format_name()) != "openexr")
         return refusal(file, fmt::format("is {}, expected EXR", reader.format_name()));
-    if (spec.channelnames != std::vector<std::string>{"R", "G", "B", "A"})
+    const std::vector<std::string> wanted{"R", "G", "B", "A"};
+    const auto& names = spec.channelnames;
+    if (names.size() < wanted.size() || !std::equal(wanted.begin(), wanted.end(), names.begin()))
         return refusal(file, fmt::format("has the channels {}, expected R, G, B, A",
                                          fmt::join(spec.channelnames, ", ")));
     return {};
@@ -245,12 +247,55 @@ Expected<LinearImage> read_exr(const fs::path& file) {
     const auto samples = read_samples<float>(file, **reader, TypeDesc::FLOAT);
     if (!samples)
         return tl::unexpected(samples.error());
-    LinearImage image{(*reader)->spec().width, (*reader)->spec().height, {}, {}};
-    image.pixels.reserve(samples->size() / 4);
-    image.coverage.reserve(samples->size() / 4);
-    for (std::size_t i = 0; i < samples->size(); i += 4) {
+    const auto& spec = (*reader)->spec();
+    LinearImage image{spec.width, spec.height, {}, {}};
+    image.pixels.reserve(pixel_count(spec.width, spec.height));
+    image.coverage.reserve(pixel_count(spec.width, spec.height));
+    for (std::size_t i = 0; i < samples->size(); i += static_cast<std::size_t>(spec.nchannels)) {
         image.pixels.push_back({(*samples)[i], (*samples)[i + 1], (*samples)[i + 2]});
         image.coverage.push_back((*samples)[i + 3]);
+    }
+    return image;
+}
+
+Expected<void>
+write_layers(const fs::path& file, const LayeredImage& image, const std::vector<TextEntry>& texts) {
+    EXPECTS(file.extension() == ".exr");
+    const std::size_t pixels = pixel_count(image.width, image.height), n = image.layers.size();
+    EXPECTS(n >= 4 && image.layers[0].channel == "R" && image.layers[3].channel == "A");
+    ImageSpec spec(image.width, image.height, static_cast<int>(n), TypeDesc::FLOAT);
+    std::vector<float> samples(pixels * n);
+    spec.channelnames.clear();
+    for (std::size_t k = 0; k < n; ++k) {
+        const auto& layer = image.layers[k];
+        EXPECTS(layer.values.size() == pixels);
+        spec.channelnames.push_back(layer.channel);
+        for (std::size_t i = 0; i < pixels; ++i)
+            samples[i * n + k] = layer.values[i];
+    }
+    spec.attribute("compression", "zip");
+    spec.attribute("oiio:ColorSpace", "Linear");
+    add_texts(spec, texts);
+    return write_whole(file, spec, TypeDesc::FLOAT, samples.data());
+}
+
+Expected<LayeredImage> read_layers(const fs::path& file) {
+    const auto reader = open(file);
+    if (!reader)
+        return tl::unexpected(reader.error());
+    if (auto checked = check_exr(file, **reader); !checked)
+        return tl::unexpected(checked.error());
+    const auto samples = read_samples<float>(file, **reader, TypeDesc::FLOAT);
+    if (!samples)
+        return tl::unexpected(samples.error());
+    const auto& spec = (*reader)->spec();
+    LayeredImage image{spec.width, spec.height, {}};
+    const std::size_t n = spec.channelnames.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        Layer layer{spec.channelnames[k], {}};
+        for (std::size_t i = k; i < samples->size(); i += n)
+            layer.values.push_back((*samples)[i]);
+        image.layers.push_back(std::move(layer));
     }
     return image;
 }

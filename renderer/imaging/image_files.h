@@ -6,6 +6,7 @@
 
 #include "renderer/expected.h"
 #include "renderer/imaging/encoded_image.h"
+#include "renderer/imaging/layers.h"
 #include "renderer/imaging/linear_image.h"
 
 #include <filesystem>
@@ -36,8 +37,19 @@ Expected<void> write_exr(const std::filesystem::path& file,
                          const LinearImage& image,
                          const std::vector<TextEntry>& texts = {});
 
-/// Errors: the file is missing, no picture, or not EXR with the four channels R, G, B, A.
+/// Channels beside R, G, B and A are left alone.
+/// Errors: the file is missing, no picture, or not EXR with the channels R, G, B, A.
 Expected<LinearImage> read_exr(const std::filesystem::path& file);
+
+/// Writes EXR with a 32-bit float channel for each layer; the first four are R, G, B, A, so that
+/// other programs and `read_exr` see a picture.
+/// Errors: the folder or file cannot be written.  EXPECTS on sizes and the first four names.
+Expected<void> write_layers(const std::filesystem::path& file,
+                            const LayeredImage& image,
+                            const std::vector<TextEntry>& texts = {});
+
+/// Errors: the file is missing, no picture, or not EXR with the channels R, G, B, A.
+Expected<LayeredImage> read_layers(const std::filesystem::path& file);
 
 /// Writes an opaque sRGB PNG with as many bits as the picture has.
 /// Errors: the folder or file cannot be written.  EXPECTS on sizes.

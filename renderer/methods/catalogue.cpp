@@ -2,12 +2,14 @@
 #include "renderer/methods/catalogue.h"
 
 #include "renderer/contract.h"
+#include "renderer/methods/barre_brisebois.h"
 #include "renderer/methods/constant.h"
 #include "renderer/methods/green.h"
 #include "renderer/methods/jensen.h"
 #include "renderer/methods/patro.h"
 #include "renderer/methods/phong.h"
 #include "renderer/methods/prt.h"
+#include "renderer/methods/separable.h"
 #include "renderer/methods/shss.h"
 
 #include <fmt/format.h>
@@ -18,17 +20,22 @@
 namespace renderer::methods {
 
 std::span<const Description> catalogue() {
+    // A method a line:
+    // clang-format off
     static const std::array all{
-        // clang-format off: a method a line
         describe_shss(),
         describe_green(),
+        describe_green_blur(),
+        describe_green_peel(),
         describe_patro(),
         describe_prt(),
         describe_jensen(),
+        describe_barre_brisebois(),
+        describe_separable(),
         describe_constant(),
         describe_phong(),
-        // clang-format on
     };
+    // clang-format on
     return all;
 }
 

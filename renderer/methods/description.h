@@ -32,11 +32,13 @@ struct Subject {
 };
 
 struct Description {
-    std::string name;   ///< in study files
-    std::string label;  ///< as people read it, wherever they do
-    std::string source; ///< key in docs/bibliography.md; empty for textbook matter
+    std::string name;        ///< in study files
+    std::string label;       ///< as people read it, wherever they do
+    std::string caveat = {}; ///< a word that it and the labels of conditions must have; or none
+    std::string source;      ///< key in docs/bibliography.md; empty for textbook matter
     std::vector<Dial> dials;
-    Expected<std::unique_ptr<Method>> (*prepare)(const Dials& complete_dials, const Subject&);
+    Expected<std::unique_ptr<Method>> (*prepare)(const Dials& complete_dials,
+                                                 const Subject&) = nullptr;
 
     /// What is wrong with dials that are right one by one; may be null.
     std::optional<DialProblem> (*refuse)(const Dials& complete_dials) = nullptr;

@@ -1,67 +1,31 @@
-// The light's view of the mesh, and the shader that reads it.
+// One method, three ways to read the light's maps.
 #include "renderer/methods/green.h"
 
-#include "renderer/gpu/target.h"
 #include "renderer/methods/green.frag.h"
-#include "renderer/methods/green_depth.frag.h"
-#include "renderer/methods/green_depth.vert.h"
+#include "renderer/methods/green_blurred.glsl.h"
+#include "renderer/methods/green_nearest.glsl.h"
+#include "renderer/methods/green_peeled.glsl.h"
+#include "renderer/methods/light_maps.h"
+#include "renderer/methods/map_blur.h"
 #include "renderer/methods/phong.vert.h"
 #include "renderer/methods/shading.h"
 
-#include <glm/ext/matrix_transform.hpp>
-#include <glm/geometric.hpp>
+#include <fmt/format.h>
 #include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace renderer::methods {
 
 namespace {
 
-// The map's depths reach a little beyond the bounding sphere, so that 1 always means "empty".
-constexpr double depth_reach = 1.0 + 1.0 / 1024;
-
-struct MapsBlock { // block Maps of green.frag, std140
-    std::array<glm::mat4, most_lights> light_from_world{};
-    float texel = 0;
-    float depth_range = 0;
-    std::array<float, 2> padding{};
-};
-
-struct LightView {
-    glm::dmat4 light_from_world; // x and y over the radius; z from the near side of the sphere, mm
-    double radius;               // of the placed bounding sphere, mm
-};
-
-// z(x) = r - L.(x - c), and u, v perpendicular to L.
-LightView
-light_view(const DirectionalLight& light, const Placement& placement, const Surface& surface) {
-    const auto L = glm::normalize(light.to_light);
-    const auto helper = std::abs(L.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-    const auto u = glm::normalize(glm::cross(helper, L));
-    const auto v = glm::cross(L, u);
-    const auto& sphere = surface.model_sphere();
-    const glm::dvec3 c(placement.world_from_model * glm::dvec4(sphere.centre, 1));
-    const double r = sphere.radius * largest_stretch(glm::dmat3(placement.world_from_model));
-    const glm::dmat4 rows(glm::dvec4(u / r, -glm::dot(u, c) / r),
-                          glm::dvec4(v / r, -glm::dot(v, c) / r),
-                          glm::dvec4(-L, r + glm::dot(L, c)), glm::dvec4(0, 0, 0, 1));
-    return {glm::transpose(rows), r};
-}
-
 class Green : public Method {
   public:
-    Green(SurfaceShader shader, gpu::Program light_pass, gpu::DepthMap map)
-        : shader_(std::move(shader)), light_pass_(std::move(light_pass)),
-          light_array_(shader_.surface().vertex_array()), light_pass_block_(sizeof(glm::mat4)),
-          maps_block_(sizeof(MapsBlock)) {
-        maps_.push_back(std::move(map));
-    }
+    Green(SurfaceShader shader, LightMaps maps)
+        : shader_(std::move(shader)), maps_(std::move(maps)) {}
 
     Expected<void> update(const Scene& scene, double) override {
         if (const auto ready = shader_.adapt(scene); !ready)
@@ -69,73 +33,125 @@ class Green : public Method {
         if (lit_ == lighting_of(scene))
             return {};
         lit_.reset();
-        while (maps_.size() < scene.lights.size()) {
-            auto map = gpu::DepthMap::create(maps_.front().resolution());
-            if (!map)
-                return tl::make_unexpected(map.error());
-            maps_.push_back(std::move(*map));
-        }
-        MapsBlock block;
-        for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-            const auto* light = std::get_if<DirectionalLight>(&scene.lights[i].place);
-            if (light == nullptr)
-                return tl::make_unexpected("Green's depth map under a point light, expected "
-                                           "directional lights");
-            const auto view = light_view(*light, scene.placement, shader_.surface());
-            fill_map(view, scene.placement, maps_[i]);
-            block.light_from_world[i] = glm::mat4(view.light_from_world);
-            block.texel = static_cast<float>(2 * view.radius / maps_[i].resolution());
-            block.depth_range = static_cast<float>(depth_range(view));
-        }
-        maps_block_.replace_by(block);
+        if (const auto filled = maps_.fill(scene); !filled)
+            return filled;
         lit_ = lighting_of(scene);
         return {};
     }
 
     void draw(const Scene& scene) override {
-        for (unsigned i = 0; i < scene.lights.size(); ++i)
-            maps_[i].bind_texture(i);
-        maps_block_.bind_uniform_block(1);
+        maps_.bind();
         shader_.draw(scene);
     }
 
     Cost cost() const override {
-        const auto edge = static_cast<std::size_t>(maps_.front().resolution());
-        return {.bytes_per_light = sizeof(glm::mat4) + edge * edge * sizeof(float),
-                .passes_per_light = 1};
+        return {.bytes_per_light = maps_.bytes_per_light(),
+                .passes_per_light = maps_.passes_per_light()};
     }
 
   private:
-    static double depth_range(const LightView& view) { return 2 * view.radius * depth_reach; }
-
-    void fill_map(const LightView& view, const Placement& placement, const gpu::DepthMap& map) {
-        // Clip depth runs from -1 at z = 0 to 1 at z = depth_range.
-        const auto clip_from_light =
-            glm::scale(glm::translate(glm::dmat4(1), {0, 0, -1}), {1, 1, 2 / depth_range(view)});
-        const auto world_from_object = shader_.surface().world_from_object(placement);
-        light_pass_block_.replace_by(
-            glm::mat4(clip_from_light * view.light_from_world * world_from_object));
-        map.clear();
-        const auto drawing = map.draw_into();
-        light_pass_block_.bind_uniform_block(0);
-        light_pass_.use();
-        light_array_.draw();
-    }
-
     SurfaceShader shader_;
-    gpu::Program light_pass_;
-    std::vector<gpu::DepthMap> maps_;
-    gpu::VertexArray light_array_;
-    gpu::Buffer light_pass_block_;
-    gpu::Buffer maps_block_;
+    LightMaps maps_;
     std::optional<Lighting> lit_;
 };
 
-Dial depth_map_dial() {
-    return {.name = "depth_map",
-            .meaning = "texels along an edge of the light's depth map",
-            .preset = std::int64_t{2048},
-            .whole = DialRange<std::int64_t>{16, 16384}};
+// A blur needs no texel finer than this part of its deviation: a map with fewer texels is drawn and
+// blurred faster, and says the same.
+constexpr double texels_per_deviation = 8;
+
+class GreenBlur : public Method {
+  public:
+    GreenBlur(SurfaceShader shader, LightMaps maps, MapBlur blur, const GreenSettings& settings)
+        : shader_(std::move(shader)), maps_(std::move(maps)), blur_(std::move(blur)),
+          largest_map_(settings.depth_map),
+          asked_deviation_(std::get<BlurredMap>(settings.map).deviation) {}
+
+    Expected<void> update(const Scene& scene, double) override {
+        if (const auto ready = shader_.adapt(scene); !ready)
+            return ready;
+        if (const auto setup = light_setup(scene); setup->with_points)
+            return tl::make_unexpected("a blurred depth map under a point light, expected "
+                                       "directional lights, \"green\" or \"green-peel\"");
+        const double deviation = deviation_in(scene);
+        if (lit_ == lighting_of(scene) && deviation == deviation_)
+            return {};
+        lit_.reset();
+        deviation_ = deviation;
+        const double width = diameter_in(scene);
+        const auto texels =
+            std::min(width * texels_per_deviation / deviation, static_cast<double>(largest_map_));
+        const int resolution = std::max(1, static_cast<int>(std::ceil(texels)));
+        maps_.set_resolution(resolution);
+        if (const auto filled = maps_.fill(scene); !filled)
+            return filled;
+        for (std::size_t i = 0; i < scene.lights.size(); ++i)
+            if (const auto done = blur_.run(maps_.of_light(i), i, deviation * resolution / width);
+                !done)
+                return done;
+        lit_ = lighting_of(scene);
+        return {};
+    }
+
+    void draw(const Scene& scene) override {
+        blur_.bind(scene.lights.size());
+        maps_.bind_views();
+        shader_.draw(scene);
+    }
+
+    Cost cost() const override {
+        return {.bytes_per_light = 2 * maps_.bytes_per_light(),
+                .passes_per_light = maps_.passes_per_light()};
+    }
+
+    std::string decision() const override {
+        return lit_ ? fmt::format("blurred by {:.3g} mm", deviation_) : "";
+    }
+
+  private:
+    double diameter_in(const Scene& scene) const {
+        return 2 * shader_.surface().model_sphere().radius *
+               largest_stretch(glm::dmat3(scene.placement.world_from_model));
+    }
+
+    double deviation_in(const Scene& scene) const {
+        if (asked_deviation_)
+            return asked_deviation_->value;
+        const auto sigma_tr = effective_transport(scene.material.medium);
+        const double mean = (sigma_tr.r + sigma_tr.g + sigma_tr.b) / 3;
+        return std::min(1 / mean, 0.05 * diameter_in(scene)); // 1/0 is far, too
+    }
+
+    SurfaceShader shader_;
+    LightMaps maps_;
+    MapBlur blur_;
+    int largest_map_;
+    std::optional<Millimetres> asked_deviation_;
+    double deviation_ = 0;
+    std::optional<Lighting> lit_;
+};
+
+gpu::ShaderPart reading(const GreenSettings& settings) {
+    if (std::holds_alternative<BlurredMap>(settings.map))
+        return {"green_blurred.glsl", green_blurred_glsl};
+    if (std::holds_alternative<PeeledMap>(settings.map))
+        return {"green_peeled.glsl", green_peeled_glsl};
+    return {"green_nearest.glsl", green_nearest_glsl};
+}
+
+int layers_of(const GreenSettings& settings) {
+    const auto* peeled = std::get_if<PeeledMap>(&settings.map);
+    return peeled == nullptr ? 1 : peeled->layers;
+}
+
+GreenSettings settings_from(const Dials& dials) {
+    return {.depth_map = static_cast<int>(whole_in(dials, "depth_map")), .law = law_of(dials)};
+}
+
+Expected<std::unique_ptr<Method>> prepare_for(const GreenSettings& settings,
+                                              const Subject& subject) {
+    return field_with_d_n(settings.law, subject).and_then([&](const auto& field) {
+        return prepare_green(settings, subject.surface, field.get());
+    });
 }
 
 } // namespace
@@ -146,11 +162,46 @@ Description describe_green() {
             .source = "Green2004",
             .dials = {law_dial(), depth_map_dial()},
             .prepare = [](const Dials& dials, const Subject& subject) {
-                const GreenSettings settings{static_cast<int>(whole_in(dials, "depth_map")),
-                                             law_of(dials)};
-                return field_with_d_n(settings.law, subject).and_then([&](const auto& field) {
-                    return prepare_green(settings, subject.surface, field.get());
-                });
+                return prepare_for(settings_from(dials), subject);
+            }};
+}
+
+Description describe_green_blur() {
+    return {.name = "green-blur",
+            .label = "Green 2004, blurred map",
+            .source = "Green2004",
+            .dials = {law_dial(),
+                      depth_map_dial(),
+                      {.name = "blur_mm",
+                       .meaning = "standard deviation of the map's blur in mm; auto: 1/sigma_tr of "
+                                  "the mean channel, at most 5 % of the diameter",
+                       .preset = "auto",
+                       .number = DialRange<double>{0.001, 1000},
+                       .names = {"auto"}}},
+            .prepare = [](const Dials& dials, const Subject& subject) {
+                auto settings = settings_from(dials);
+                settings.map = is_name(dials, "blur_mm")
+                                   ? BlurredMap{}
+                                   : BlurredMap{Millimetres{number_in(dials, "blur_mm")}};
+                return prepare_for(settings, subject);
+            }};
+}
+
+Description describe_green_peel() {
+    return {.name = "green-peel",
+            .label = "Green 2004, depth peeling",
+            .source = "Green2004",
+            .dials = {law_dial(),
+                      depth_map_dial(),
+                      {.name = "layers",
+                       .meaning = "surfaces behind each other that the map keeps, two to a stretch "
+                                  "of material",
+                       .preset = std::int64_t{PeeledMap{}.layers},
+                       .whole = DialRange<std::int64_t>{1, 64}}},
+            .prepare = [](const Dials& dials, const Subject& subject) {
+                auto settings = settings_from(dials);
+                settings.map = PeeledMap{static_cast<int>(whole_in(dials, "layers"))};
+                return prepare_for(settings, subject);
             }};
 }
 
@@ -160,20 +211,25 @@ Expected<std::unique_ptr<Method>> prepare_green(const GreenSettings& settings,
     const auto attenuation = attenuation_for(settings.law, field);
     if (!attenuation)
         return tl::make_unexpected(attenuation.error());
-    auto shader = SurfaceShader::prepare(
-        std::move(surface), *attenuation,
-        {.vertex = {{"phong.vert", phong_vert}}, .fragment = {{"green.frag", green_frag}}});
+    auto maps = LightMaps::prepare(surface, settings.depth_map, layers_of(settings));
+    if (!maps)
+        return tl::make_unexpected(maps.error());
+    auto fragment = LightMaps::shader_parts();
+    fragment.push_back(reading(settings));
+    fragment.push_back({"green.frag", green_frag});
+    auto shader = SurfaceShader::prepare(std::move(surface), *attenuation,
+                                         {.defines = maps->defines(),
+                                          .vertex = {{"phong.vert", phong_vert}},
+                                          .fragment = std::move(fragment)});
     if (!shader)
         return tl::make_unexpected(shader.error());
-    const std::array light_vertex{gpu::ShaderPart{"green_depth.vert", green_depth_vert}};
-    const std::array light_fragment{gpu::ShaderPart{"green_depth.frag", green_depth_frag}};
-    auto light_pass = gpu::Program::link(light_vertex, light_fragment);
-    if (!light_pass)
-        return tl::make_unexpected(light_pass.error());
-    auto map = gpu::DepthMap::create(settings.depth_map);
-    if (!map)
-        return tl::make_unexpected(map.error());
-    return std::make_unique<Green>(std::move(*shader), std::move(*light_pass), std::move(*map));
+    if (!std::holds_alternative<BlurredMap>(settings.map))
+        return std::make_unique<Green>(std::move(*shader), std::move(*maps));
+    auto blur = MapBlur::prepare();
+    if (!blur)
+        return tl::make_unexpected(blur.error());
+    return std::make_unique<GreenBlur>(std::move(*shader), std::move(*maps), std::move(*blur),
+                                       settings);
 }
 
 } // namespace renderer::methods

@@ -82,4 +82,8 @@ double largest_stretch(const glm::dmat3& A) {
     return std::sqrt(largest);
 }
 
+double mean_stretch(const glm::dmat3& A) {
+    return std::cbrt(std::abs(glm::determinant(A)));
+}
+
 } // namespace renderer::methods

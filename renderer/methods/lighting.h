@@ -51,4 +51,7 @@ ModelLight model_light(const DirectionalLight& light, const Placement& placement
 /// |A d| <= result |d| for every d: the exact stretch where A scales evenly.
 double largest_stretch(const glm::dmat3& A);
 
+/// Of lengths of the whole object: the cube root of the volume's.
+double mean_stretch(const glm::dmat3& A);
+
 } // namespace renderer::methods

@@ -119,6 +119,7 @@ Expected<std::unique_ptr<Method>> prepare(const Subject& subject,
 Description describe_patro() {
     return {.name = "patro",
             .label = "Patro (reconstruction)",
+            .caveat = "reconstruction",
             .source = "Patro2007",
             .dials = {{.name = "variant",
                        .meaning = "what is smoothed over the surface: a normal for each colour "

@@ -65,7 +65,7 @@ shading_block(const Scene& scene, const Surface& surface, const Attenuation& att
     const auto sigma_tr = effective_transport(scene.material.medium);
 
     // D_n is a length of the whole object: under an uneven scaling it takes the mean scale.
-    const double mean_scale = std::cbrt(std::abs(glm::determinant(linear)));
+    const double mean_scale = mean_stretch(linear);
     const double longest_chord = 2 * surface.model_sphere().radius * largest_stretch(linear);
     ShadingBlock block{
         .clip_from_object = glm::mat4(scene.camera.clip_from_view * scene.camera.view_from_world *

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -20,22 +19,22 @@ constexpr unsigned thickness_location = 2; // behind position and normal
 
 class Shss : public Method {
   public:
-    Shss(SurfaceShader shader, ThicknessPass pass, const ShssSettings& settings)
-        : shader_(std::move(shader)), pass_(std::move(pass)) {
-        std::fill_n(weights_.begin(), settings.bands, 1.0F);
-    }
+    Shss(SurfaceShader shader, ThicknessPass pass, BandPlan plan)
+        : shader_(std::move(shader)), pass_(std::move(pass)), plan_(std::move(plan)) {}
 
-    Expected<void> update(const Scene& scene, double) override {
+    Expected<void> update(const Scene& scene, double seconds) override {
         if (const auto ready = shader_.adapt(scene); !ready)
             return ready;
-        if (lit_ == lighting_of(scene))
+        const auto weights = plan_.weights(scene, seconds);
+        if (weights == weights_ && lit_ == lighting_of(scene))
             return {};
         lit_.reset();
-        if (const auto done = pass_.run(scene, weights_); !done)
+        if (const auto done = pass_.run(scene, weights); !done)
             return done;
         shader_.vertex_array().feed(
             thickness_location, pass_.thickness(),
             {.components = static_cast<int>(scene.lights.size()), .per_input = 1});
+        weights_ = weights;
         lit_ = lighting_of(scene);
         return {};
     }
@@ -48,9 +47,12 @@ class Shss : public Method {
                 .passes_per_light = 1};
     }
 
+    std::string decision() const override { return plan_.decision(); }
+
   private:
     SurfaceShader shader_;
     ThicknessPass pass_;
+    BandPlan plan_;
     BandWeights weights_{};
     std::optional<Lighting> lit_;
 };
@@ -75,22 +77,44 @@ thickness::Kind thickness_kind(const Dials& dials) {
     return name == "span" ? thickness::Kind::Span : thickness::Kind::Sum;
 }
 
+thickness::ComponentType component_type(const Dials& dials) {
+    const auto name = name_in(dials, "coefficients");
+    if (name == "int8")
+        return thickness::ComponentType::Int8;
+    return name == "float16" ? thickness::ComponentType::Float16
+                             : thickness::ComponentType::Float32;
+}
+
+BandSettings band_settings(const Dials& dials) {
+    BandSettings settings;
+    if (!is_name(dials, "bands"))
+        settings.bands = static_cast<int>(whole_in(dials, "bands"));
+    else
+        settings.chooser =
+            name_in(dials, "bands") == "paper" ? BandChooser::Paper : BandChooser::Tolerance;
+    settings.tolerance = number_in(dials, "tolerance");
+    return settings;
+}
+
 std::optional<DialProblem> refuse_dials(const Dials& dials) {
-    const auto bands = whole_in(dials, "bands"), least = 2 * bands * bands;
-    if (whole_in(dials, "directions") >= least)
-        return std::nullopt;
-    return DialProblem{"directions",
-                       fmt::format("is {}, expected at least {}, two for each coefficient of {} "
-                                   "bands",
-                                   whole_in(dials, "directions"), least, bands)};
+    const auto bands = band_settings(dials);
+    if (const int least = 2 * bands.bands * bands.bands; whole_in(dials, "directions") < least)
+        return DialProblem{"directions",
+                           fmt::format("is {}, expected at least {}, two for each coefficient of "
+                                       "{} bands",
+                                       whole_in(dials, "directions"), least, bands.bands)};
+    if (bands.chooser != BandChooser::Tolerance && bands.tolerance != BandSettings{}.tolerance)
+        return DialProblem{"tolerance", fmt::format("is {}, but only bands = \"auto\" asks for one",
+                                                    bands.tolerance)};
+    return std::nullopt;
 }
 
 Expected<std::unique_ptr<Method>> prepare_from_dials(const Dials& dials, const Subject& subject) {
-    const ShssSettings settings{.bands = static_cast<int>(whole_in(dials, "bands")),
-                                .law = law_of(dials)};
+    const ShssSettings settings{
+        .bands = band_settings(dials), .law = law_of(dials), .coefficients = component_type(dials)};
     const auto field =
         subject.field({.kind = thickness_kind(dials),
-                       .bands = settings.bands,
+                       .bands = settings.bands.bands,
                        .directions = static_cast<int>(whole_in(dials, "directions"))});
     if (!field)
         return tl::make_unexpected(field.error());
@@ -104,9 +128,17 @@ Description describe_shss() {
             .label = "SHSS",
             .source = "SHSS",
             .dials = {{.name = "bands",
-                       .meaning = "spherical-harmonic bands n, n^2 coefficients per vertex",
+                       .meaning = "spherical-harmonic bands n, n^2 coefficients per vertex; auto: "
+                                  "as few as change the picture by less than the tolerance; paper: "
+                                  "5 with the light behind the object, else 2",
                        .preset = std::int64_t{5},
-                       .whole = DialRange<std::int64_t>{1, most_bands}},
+                       .whole = DialRange<std::int64_t>{1, most_bands},
+                       .names = {"auto", "paper"}},
+                      {.name = "tolerance",
+                       .meaning = "what bands = auto may change, root mean square brightness over "
+                                  "what is seen, 1 = white",
+                       .preset = BandSettings{}.tolerance,
+                       .number = DialRange<double>{0, 1}},
                       law_dial(),
                       {.name = "thickness",
                        .meaning = "which length counts: all interior segments, the one that starts "
@@ -116,7 +148,11 @@ Description describe_shss() {
                       {.name = "directions",
                        .meaning = "rays per vertex, at least two for each coefficient",
                        .preset = std::int64_t{1024},
-                       .whole = DialRange<std::int64_t>{1, 65536}}},
+                       .whole = DialRange<std::int64_t>{1, 65536}},
+                      {.name = "coefficients",
+                       .meaning = "how they are stored on the GPU; int8 takes a byte each",
+                       .preset = "float32",
+                       .names = {"float32", "float16", "int8"}}},
             .prepare = prepare_from_dials,
             .refuse = refuse_dials};
 }
@@ -125,12 +161,13 @@ Expected<std::unique_ptr<Method>>
 prepare_shss(const ShssSettings& settings,
              std::shared_ptr<const Surface> surface,
              std::shared_ptr<const thickness::ThicknessField> field) {
-    if (const auto fits = check_bands(settings.bands, field.get()); !fits)
+    if (const auto fits = check_bands(settings.bands.bands, field.get()); !fits)
         return tl::make_unexpected(fits.error());
     const auto attenuation = attenuation_for(settings.law, field.get());
     if (!attenuation)
         return tl::make_unexpected(attenuation.error());
-    auto pass = ThicknessPass::prepare(surface, std::move(field), settings.bands);
+    auto pass =
+        ThicknessPass::prepare(surface, *field, settings.bands.bands, settings.coefficients);
     if (!pass)
         return tl::make_unexpected(pass.error());
     auto shader = SurfaceShader::prepare(
@@ -138,7 +175,8 @@ prepare_shss(const ShssSettings& settings,
         {.vertex = {{"shss.vert", shss_vert}}, .fragment = {{"shss.frag", shss_frag}}});
     if (!shader)
         return tl::make_unexpected(shader.error());
-    return std::make_unique<Shss>(std::move(*shader), std::move(*pass), settings);
+    return std::make_unique<Shss>(std::move(*shader), std::move(*pass),
+                                  BandPlan(settings.bands, *attenuation, std::move(field)));
 }
 
 } // namespace renderer::methods

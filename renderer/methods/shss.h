@@ -3,18 +3,21 @@
 #pragma once
 
 #include "renderer/methods/attenuation.h"
+#include "renderer/methods/band_plan.h"
 #include "renderer/methods/description.h"
+#include "renderer/thickness/streams.h"
 
 namespace renderer::methods {
 
 Description describe_shss();
 
 struct ShssSettings {
-    int bands = 5; ///< 1..6; n bands are n^2 coefficients per vertex
+    BandSettings bands = {};
     Law law = Law::Physical;
+    thickness::ComponentType coefficients = thickness::ComponentType::Float32;
 };
 
-/// Keeps the first `settings.bands` bands of `field` in vertex buffers.
+/// Keeps the bands of `field` that may be used in vertex buffers.
 /// Errors: no field, one of another mesh, or one with fewer bands than asked for; bands outside
 /// 1..6.
 Expected<std::unique_ptr<Method>>

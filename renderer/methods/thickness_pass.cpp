@@ -7,6 +7,7 @@
 #include "renderer/methods/shss_thickness.vert.h"
 
 #include <fmt/format.h>
+#include <glm/ext/vector_uint4.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
@@ -17,29 +18,36 @@ namespace renderer::methods {
 
 namespace {
 
-// One vertex buffer to a stream, so that bands that are not asked for are neither sent nor fetched.
-// Bands 0 and 1 share the first, as their four coefficients fill one shader input; a later band l
-// has 2l+1 and begins a new input.
-struct Stream {
-    int first; // flat index of its first coefficient
-    int count;
-    int slots; // shader inputs of four floats
-};
-
 constexpr unsigned first_location = 2; // behind position and normal
 
-std::vector<Stream> streams_of(int bands) {
-    std::vector<Stream> streams{{0, std::min(4, harmonics::coefficient_count(bands)), 1}};
-    for (int l = 2; l < bands; ++l)
-        streams.push_back({harmonics::flat_index(l, -l), 2 * l + 1, (2 * l + 4) / 4});
-    return streams;
+/// Every stream of bands begins a new shader input of four numbers: bands 0 and 1 fill the first, a
+/// later band l has 2l+1 coefficients in (2l+4)/4 inputs.
+int slots_of_band(int l) {
+    return (2 * l + 4) / 4;
 }
 
 int slots_of(int bands) {
-    int slots = 0;
-    for (const auto& stream : streams_of(bands))
-        slots += stream.slots;
+    int slots = 1;
+    for (int l = 2; l < bands; ++l)
+        slots += slots_of_band(l);
     return slots;
+}
+
+/// Streams that hold the first `bands` bands.
+std::size_t streams_of(int bands) {
+    return static_cast<std::size_t>(std::max(1, bands - 1));
+}
+
+gpu::Component component(thickness::ComponentType type) {
+    switch (type) {
+    case thickness::ComponentType::Float16:
+        return gpu::Component::Float16;
+    case thickness::ComponentType::Int8:
+        return gpu::Component::Fraction8;
+    case thickness::ComponentType::Float32:
+        break;
+    }
+    return gpu::Component::Float32;
 }
 
 int band_of(int coefficient) {
@@ -51,25 +59,16 @@ int band_of(int coefficient) {
 
 /// Values of the flat order, in the order of the slots, holes zero.
 void append_slots(std::span<const double> flat, int bands, std::vector<glm::vec4>& block) {
-    for (const auto& stream : streams_of(bands)) {
+    const auto append = [&](int first, int count, int slots) {
         const auto slot = block.size();
-        block.resize(slot + static_cast<std::size_t>(stream.slots), glm::vec4(0));
-        for (int i = 0; i < stream.count; ++i)
+        block.resize(slot + static_cast<std::size_t>(slots), glm::vec4(0));
+        for (int i = 0; i < count; ++i)
             block[slot + static_cast<std::size_t>(i / 4)][i % 4] =
-                static_cast<float>(flat[static_cast<std::size_t>(stream.first + i)]);
-    }
-}
-
-gpu::Buffer upload(const thickness::ThicknessField& field, const Stream& stream) {
-    const auto stride = static_cast<std::size_t>(harmonics::coefficient_count(field.bands));
-    const auto first = static_cast<std::size_t>(stream.first);
-    const auto count = static_cast<std::size_t>(stream.count);
-    std::vector<float> rows;
-    rows.reserve(field.coefficients.size() / stride * count);
-    for (std::size_t row = 0; row < field.coefficients.size(); row += stride)
-        for (std::size_t i = first; i < first + count; ++i)
-            rows.push_back(field.coefficients[row + i]);
-    return gpu::Buffer::holding<float>(rows);
+                static_cast<float>(flat[static_cast<std::size_t>(first + i)]);
+    };
+    append(0, std::min(4, harmonics::coefficient_count(bands)), 1);
+    for (int l = 2; l < bands; ++l)
+        append(harmonics::flat_index(l, -l), 2 * l + 1, slots_of_band(l));
 }
 
 int used_bands(const BandWeights& weights) {
@@ -79,10 +78,34 @@ int used_bands(const BandWeights& weights) {
     return bands;
 }
 
-std::vector<double> coefficient_scales(const BandWeights& weights, int bands) {
+/// Ranges as the shader reads them: slot by slot, in each slot block by block; holes zero.
+std::vector<glm::uvec4> ranges_in_slots(std::span<const thickness::Stream> streams,
+                                        std::size_t blocks) {
+    std::vector<glm::uvec4> ranges;
+    for (const auto& stream : streams) {
+        const auto components = stream.scale.size();
+        const auto first = ranges.size();
+        ranges.resize(first + (components + 3) / 4 * blocks, glm::uvec4(0));
+        for (std::size_t b = 0; b < blocks; ++b)
+            for (std::size_t k = 0; k < components; ++k)
+                ranges[first + k / 4 * blocks + b][static_cast<int>(k % 4)] =
+                    stream.blocks[b * components + k];
+    }
+    return ranges;
+}
+
+/// What a stored component is multiplied by: its stream's scale and its band's weight.
+std::vector<double> coefficient_scales(std::span<const thickness::Stream> streams,
+                                       const BandWeights& weights,
+                                       int bands) {
     std::vector<double> scales;
-    for (int i = 0; i < harmonics::coefficient_count(bands); ++i)
-        scales.push_back(static_cast<double>(weights[static_cast<std::size_t>(band_of(i))]));
+    for (const auto& stream : streams)
+        for (const float scale : stream.scale)
+            scales.push_back(static_cast<double>(scale));
+    scales.resize(static_cast<std::size_t>(harmonics::coefficient_count(bands)));
+    for (std::size_t i = 0; i < scales.size(); ++i)
+        scales[i] *=
+            static_cast<double>(weights[static_cast<std::size_t>(band_of(static_cast<int>(i)))]);
     return scales;
 }
 
@@ -125,36 +148,38 @@ void append_near_lights(const Scene& scene,
 } // namespace
 
 ThicknessPass::ThicknessPass(std::shared_ptr<const Surface> surface,
-                             std::shared_ptr<const thickness::ThicknessField> field)
-    : surface_(std::move(surface)), field_(std::move(field)) {}
+                             std::vector<thickness::Stream> kept)
+    : surface_(std::move(surface)), kept_(std::move(kept)),
+      blocks_(kept_.front().blocks.size() / kept_.front().scale.size()) {
+    if (blocks_ > 0)
+        ranges_.emplace(gpu::Buffer::holding<glm::uvec4>(ranges_in_slots(kept_, blocks_)));
+}
 
-Expected<ThicknessPass>
-ThicknessPass::prepare(std::shared_ptr<const Surface> surface,
-                       std::shared_ptr<const thickness::ThicknessField> field,
-                       int bands) {
-    EXPECTS(bands >= 1 && bands <= field->bands);
+Expected<ThicknessPass> ThicknessPass::prepare(std::shared_ptr<const Surface> surface,
+                                               const thickness::ThicknessField& field,
+                                               int bands,
+                                               thickness::ComponentType type) {
+    EXPECTS(bands >= 1 && bands <= std::min(field.bands, most_bands));
     const auto expected = surface->vertex_count() *
-                          static_cast<std::size_t>(harmonics::coefficient_count(field->bands));
-    if (field->coefficients.size() != expected)
+                          static_cast<std::size_t>(harmonics::coefficient_count(field.bands));
+    if (field.coefficients.size() != expected)
         return tl::make_unexpected(
             fmt::format("a thickness field of {} coefficients, expected {} for {} vertices",
-                        field->coefficients.size(), expected, surface->vertex_count()));
-    ThicknessPass pass(std::move(surface), std::move(field));
-    pass.send_bands(bands);
-    return pass;
+                        field.coefficients.size(), expected, surface->vertex_count()));
+    return ThicknessPass(std::move(surface), thickness::band_streams(field, bands, type));
 }
 
 Expected<void> ThicknessPass::run(const Scene& scene, const BandWeights& weights) {
     const auto setup = light_setup(scene);
     EXPECTS(setup.has_value());
     const int bands = used_bands(weights);
-    EXPECTS(bands <= field_->bands);
+    EXPECTS(streams_of(bands) <= kept_.size());
     const auto pass = program(bands, *setup);
     if (!pass)
         return tl::make_unexpected(pass.error());
     send_bands(bands);
 
-    const auto scales = coefficient_scales(weights, bands);
+    const auto scales = coefficient_scales(kept_, weights, bands);
     std::vector<glm::vec4> block;
     append_far_lights(scene, scales, bands, block);
     if (setup->with_points)
@@ -166,20 +191,26 @@ Expected<void> ThicknessPass::run(const Scene& scene, const BandWeights& weights
     if (!thickness_ || thickness_->bytes() != bytes)
         thickness_.emplace(bytes);
     uniforms_->bind_uniform_block(1);
+    if (ranges_)
+        ranges_->bind_storage_block(0);
     (*pass)->run(inputs_.at(bands), surface_->vertex_count(), *thickness_);
     return {};
 }
 
 void ThicknessPass::send_bands(int bands) {
-    const auto streams = streams_of(bands);
-    while (streams_.size() < streams.size())
-        streams_.push_back(upload(*field_, streams[streams_.size()]));
+    while (streams_.size() < streams_of(bands)) {
+        auto& stream = kept_[streams_.size()];
+        streams_.emplace_back(stream.bytes);
+        std::vector<std::byte>().swap(stream.bytes);
+    }
     if (inputs_.contains(bands))
         return;
     auto inputs = surface_->vertex_array();
     unsigned location = first_location;
-    for (std::size_t i = 0; i < streams.size(); ++i)
-        location = inputs.feed(location, streams_[i], {.components = streams[i].count});
+    for (std::size_t i = 0; i < streams_of(bands); ++i)
+        location = inputs.feed(
+            location, streams_[i],
+            {.components = kept_[i].components(), .component = component(kept_[i].type)});
     inputs_.emplace(bands, std::move(inputs));
 }
 
@@ -187,8 +218,11 @@ Expected<const gpu::VertexPass*> ThicknessPass::program(int bands, const LightSe
     const Key key{bands, setup};
     if (const auto found = programs_.find(key); found != programs_.end())
         return &found->second;
-    const auto lines = defines(setup) +
-                       fmt::format("#define BANDS {}\n#define SLOTS {}\n", bands, slots_of(bands));
+    auto lines = defines(setup) +
+                 fmt::format("#define BANDS {}\n#define SLOTS {}\n", bands, slots_of(bands));
+    if (blocks_ > 0)
+        lines += fmt::format("#define BLOCKS {}\n#define BLOCK_VERTICES {}\n", blocks_,
+                             thickness::block_vertices);
     const std::array parts{gpu::ShaderPart{"defines", lines},
                            gpu::ShaderPart{"harmonics.glsl", harmonics_glsl},
                            gpu::ShaderPart{"shss_thickness.vert", shss_thickness_vert}};
@@ -203,7 +237,10 @@ std::size_t ThicknessPass::bytes_per_vertex() const {
     std::size_t bytes = 0;
     for (const auto& stream : streams_)
         bytes += stream.bytes();
-    return bytes / surface_->vertex_count();
+    if (ranges_)
+        bytes += ranges_->bytes();
+    const auto vertices = surface_->vertex_count();
+    return (bytes + vertices / 2) / vertices;
 }
 
 std::size_t ThicknessPass::bytes_per_light() const {

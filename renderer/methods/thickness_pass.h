@@ -9,6 +9,7 @@
 #include "renderer/methods/lighting.h"
 #include "renderer/methods/surface.h"
 #include "renderer/scene.h"
+#include "renderer/thickness/streams.h"
 #include "renderer/thickness/thickness_field.h"
 
 #include <array>
@@ -28,20 +29,22 @@ using BandWeights = std::array<float, most_bands>;
 
 class ThicknessPass {
   public:
-    /// Sends the first `bands` bands to the GPU; later ones follow when they are used.
+    /// Keeps the first `bands` bands of `field` ready; each is sent to the GPU when it is used.
     /// Errors: a field of another mesh.
     static Expected<ThicknessPass> prepare(std::shared_ptr<const Surface> surface,
-                                           std::shared_ptr<const thickness::ThicknessField> field,
-                                           int bands);
+                                           const thickness::ThicknessField& field,
+                                           int bands,
+                                           thickness::ComponentType type);
 
     /// Reconstructs for the scene's lights and placement.
-    /// Errors: the driver's.  EXPECTS what `light_setup` checks, and bands that the field has.
+    /// Errors: the driver's.  EXPECTS what `light_setup` checks, and bands that were kept.
     Expected<void> run(const Scene& scene, const BandWeights& weights);
 
     /// The thickness of the last run: mm, a row of one float for each light to a vertex.
     const gpu::Buffer& thickness() const { return *thickness_; }
 
-    std::size_t bytes_per_vertex() const; ///< of the coefficients on the GPU
+    /// Of the coefficients on the GPU, to the nearest, with the ranges of their blocks.
+    std::size_t bytes_per_vertex() const;
 
     std::size_t bytes_per_light() const; ///< of uniforms, at the last run
 
@@ -49,15 +52,16 @@ class ThicknessPass {
     /// One program for each number of bands and setup of lights.
     using Key = std::pair<int, LightSetup>;
 
-    ThicknessPass(std::shared_ptr<const Surface> surface,
-                  std::shared_ptr<const thickness::ThicknessField> field);
+    ThicknessPass(std::shared_ptr<const Surface> surface, std::vector<thickness::Stream> kept);
 
     void send_bands(int bands);
     Expected<const gpu::VertexPass*> program(int bands, const LightSetup& setup);
 
     std::shared_ptr<const Surface> surface_;
-    std::shared_ptr<const thickness::ThicknessField> field_;
+    std::vector<thickness::Stream> kept_; ///< their bytes are dropped when they have been sent
     std::vector<gpu::Buffer> streams_;
+    std::size_t blocks_ = 0;                 ///< 0 for coefficients that need no ranges
+    std::optional<gpu::Buffer> ranges_;      ///< of all kept bands
     std::map<int, gpu::VertexArray> inputs_; ///< by number of bands
     std::map<Key, gpu::VertexPass> programs_;
     std::optional<gpu::Buffer> uniforms_;

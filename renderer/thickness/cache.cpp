@@ -210,14 +210,14 @@ void put_streams(Writer& out, const ThicknessField& field) {
 void get_streams(Reader& in, std::uint64_t vertices, ThicknessField& field) {
     const auto type = static_cast<ComponentType>(in.get<std::uint32_t>());
     const auto count = in.get<std::uint32_t>();
-    if (type > ComponentType::Int8 || !in.has(count, 1))
+    if (type > ComponentType::Float16 || !in.has(count, 1))
         return;
     std::vector<Stream> streams;
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto first = in.get<std::uint32_t>(), last = in.get<std::uint32_t>();
         if (last > 5 || first > last)
             return;
-        Stream stream{type, static_cast<int>(first), static_cast<int>(last), {}, {}};
+        Stream stream{type, static_cast<int>(first), static_cast<int>(last), {}, {}, {}};
         stream.scale.resize((last + 1) * (last + 1) - first * first);
         in.get(std::span(stream.scale));
         const std::size_t bytes_per_vertex = stream.scale.size() * bytes_of(type);

@@ -1,4 +1,4 @@
-// Quantisation band by band.
+// Quantisation band by band, in bytes block by block.
 #include "renderer/thickness/streams.h"
 
 #include "renderer/contract.h"
@@ -32,9 +32,8 @@ float scale_of_band(const ThicknessField& field, int l, ComponentType type) {
     case ComponentType::Float32:
         return 1;
     case ComponentType::Float16:
+    case ComponentType::Int8: // centres and steps are Float16
         return std::exp2(std::ceil(std::log2(largest_in_band(field, l))));
-    case ComponentType::Int8:
-        return largest_in_band(field, l);
     }
     return 1;
 }
@@ -73,43 +72,103 @@ T get(const std::byte* in) {
     return value;
 }
 
-std::byte* write(std::byte* out, ComponentType type, float value) {
+/// What bytes are read against.
+struct Range {
+    float centre = 0, step = 0;
+};
+
+std::uint32_t packed(float centre, float step) {
+    return static_cast<std::uint32_t>(float16(step)) << 16 | float16(centre);
+}
+
+Range unpacked(std::uint32_t word) {
+    return {from_float16(static_cast<std::uint16_t>(word)),
+            from_float16(static_cast<std::uint16_t>(word >> 16))};
+}
+
+/// The range that holds least..most.  As Float16 it is rounded: the centre first, then the step
+/// upward, past what the centre has moved.
+std::uint32_t range_of(float least, float most) {
+    const float centre = from_float16(float16((least + most) / 2));
+    const float reach = std::max(most - centre, centre - least);
+    std::uint32_t word = packed(centre, reach);
+    if (unpacked(word).step < reach)
+        word += 1u << 16; // the next Float16
+    return word;
+}
+
+std::byte* write(std::byte* out, ComponentType type, float value, Range range) {
     switch (type) {
     case ComponentType::Float32:
         return put(out, value);
     case ComponentType::Float16:
         return put(out, float16(value));
-    case ComponentType::Int8:
-        return put(out, static_cast<std::int8_t>(std::lround(127 * value)));
+    case ComponentType::Int8: {
+        const float steps = range.step > 0 ? (value - range.centre) / range.step : 0;
+        return put(out, static_cast<std::int8_t>(std::lround(127 * steps)));
+    }
     }
     return out;
 }
 
-float read(const std::byte* in, ComponentType type) {
+float read(const std::byte* in, ComponentType type, Range range) {
     switch (type) {
     case ComponentType::Float32:
         return get<float>(in);
     case ComponentType::Float16:
         return from_float16(get<std::uint16_t>(in));
     case ComponentType::Int8:
-        return static_cast<float>(get<std::int8_t>(in)) / 127;
+        return range.centre + range.step * (static_cast<float>(get<std::int8_t>(in)) / 127);
     }
     return 0;
 }
 
+std::size_t blocks_of(std::size_t vertices) {
+    return (vertices + block_vertices - 1) / block_vertices;
+}
+
+/// Of component k at vertex v; nothing for a type without blocks.
+Range range_at(const Stream& stream, std::size_t v, std::size_t k) {
+    return stream.blocks.empty()
+               ? Range{}
+               : unpacked(stream.blocks[v / block_vertices * stream.scale.size() + k]);
+}
+
+/// The ranges of a stream's components in each block; `first` is its first coefficient.
+std::vector<std::uint32_t>
+block_ranges(const ThicknessField& field, std::size_t first, std::span<const float> scale) {
+    const auto stride = static_cast<std::size_t>(harmonics::coefficient_count(field.bands));
+    const std::size_t vertices = field.coefficients.size() / stride;
+    std::vector<std::uint32_t> ranges;
+    for (std::size_t begin = 0; begin < vertices; begin += block_vertices)
+        for (std::size_t k = 0; k < scale.size(); ++k) {
+            float least = INFINITY, most = -INFINITY;
+            for (std::size_t v = begin; v < std::min(vertices, begin + block_vertices); ++v) {
+                const float value = field.coefficients[v * stride + first + k] / scale[k];
+                least = std::min(least, value);
+                most = std::max(most, value);
+            }
+            ranges.push_back(range_of(least, most));
+        }
+    return ranges;
+}
+
 Stream stream_of(const ThicknessField& field, int first_band, int last_band, ComponentType type) {
-    Stream stream{type, first_band, last_band, {}, {}};
+    Stream stream{type, first_band, last_band, {}, {}, {}};
     for (int l = first_band; l <= last_band; ++l)
         stream.scale.insert(stream.scale.end(), static_cast<std::size_t>(2 * l + 1),
                             scale_of_band(field, l, type));
     const auto stride = static_cast<std::size_t>(harmonics::coefficient_count(field.bands));
     const auto first = static_cast<std::size_t>(first_band * first_band);
     const std::size_t vertices = field.coefficients.size() / stride;
+    if (type == ComponentType::Int8)
+        stream.blocks = block_ranges(field, first, stream.scale);
     stream.bytes.resize(vertices * stream.scale.size() * bytes_of(type));
     std::byte* out = stream.bytes.data();
     for (std::size_t v = 0; v < vertices; ++v)
         for (std::size_t k = 0; k < stream.scale.size(); ++k)
-            out = write(out, type, field.coefficients[v * stride + first + k] / stream.scale[k]);
+            out = write(out, type, field.coefficients[v * stride + first + k] / stream.scale[k],
+                        range_at(stream, v, k));
     return stream;
 }
 
@@ -147,10 +206,13 @@ std::vector<float> coefficients_of(std::span<const Stream> streams) {
         EXPECTS(stream.bytes.size() == vertices * components * size);
         const auto first = static_cast<std::size_t>(stream.first_band * stream.first_band);
         EXPECTS(first + components <= stride);
+        EXPECTS(stream.blocks.size() ==
+                (stream.type == ComponentType::Int8 ? blocks_of(vertices) * components : 0));
         for (std::size_t v = 0; v < vertices; ++v)
             for (std::size_t k = 0; k < components; ++k)
                 coefficients[v * stride + first + k] =
-                    stream.scale[k] * read(&stream.bytes[(v * components + k) * size], stream.type);
+                    stream.scale[k] * read(&stream.bytes[(v * components + k) * size], stream.type,
+                                           range_at(stream, v, k));
     }
     return coefficients;
 }

@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
+#include <sstream>
 
 namespace {
 
@@ -72,7 +74,18 @@ TEST(Findings, MirroringEveryTrialChangesOnlyTheSideTerm) {
     EXPECT_EQ(before.consistency.side.left, 849);
     EXPECT_EQ(after.consistency.side.left, 1620 - 849);
     EXPECT_EQ(after.consistency.side.p, before.consistency.side.p);
+    EXPECT_NEAR(after.scales.side.fit.side->value, -before.scales.side.fit.side->value, 1e-12);
     after.consistency.side = before.consistency.side;
+    after.scales.side = before.scales.side;
+    after.scales.first_chosen = before.scales.first_chosen;
+    after.scales.second_chosen = before.scales.second_chosen;
+    ASSERT_EQ(after.screening.size(), before.screening.size());
+    for (std::size_t o = 0; o < after.screening.size(); ++o) {
+        EXPECT_EQ(after.screening[o].left, before.screening[o].answers - before.screening[o].left);
+        EXPECT_EQ(after.screening[o].side_z, -before.screening[o].side_z);
+        after.screening[o].left = before.screening[o].left;
+        after.screening[o].side_z = before.screening[o].side_z;
+    }
     EXPECT_TRUE(same(after, before));
 }
 
@@ -90,7 +103,16 @@ TEST(Findings, RelabellingChangesNothingButLabels) {
                   after.design.conditions[after.ranking[i].condition]);
         EXPECT_EQ(before.ranking[i].letters, after.ranking[i].letters);
         EXPECT_EQ(before.ranking[i].votes, after.ranking[i].votes);
+        const auto one = before.ranking[i].condition, other = after.ranking[i].condition;
+        EXPECT_NEAR(before.scales.jod.theta[one], after.scales.jod.theta[other], 1e-13);
+        EXPECT_NEAR(before.scales.bradley_terry.theta[one], after.scales.bradley_terry.theta[other],
+                    1e-13);
+        // The same observers are drawn: intervals agree to what refits leave.
+        EXPECT_NEAR(before.scales.odds->bca[one].lower, after.scales.odds->bca[other].lower, 1e-9);
     }
+    EXPECT_NEAR(before.scales.parts[0].heterogeneity.chi_squared,
+                after.scales.parts[0].heterogeneity.chi_squared, 1e-9);
+    EXPECT_NEAR(before.scales.side.fit.side->value, after.scales.side.fit.side->value, 1e-12);
 }
 
 TEST(Findings, TheOrderOfRowsDoesNotMatter) {
@@ -103,6 +125,8 @@ TEST(Findings, TheOrderOfRowsDoesNotMatter) {
     std::reverse(reversed.left.begin(), reversed.left.end());
     std::reverse(reversed.right.begin(), reversed.right.end());
     std::reverse(reversed.chosen.begin(), reversed.chosen.end());
+    std::reverse(reversed.trial.begin(), reversed.trial.end());
+    std::reverse(reversed.response_ms.begin(), reversed.response_ms.end());
     EXPECT_TRUE(same(analyze(reversed), analyze(table)));
 }
 
@@ -160,6 +184,95 @@ TEST(Findings, TextSaysTheGoldenStory) {
     EXPECT_THAT(text, HasSubstr("5.19e-12"));
     EXPECT_THAT(text, HasSubstr("not estimable: scores are ipsative"));
     EXPECT_EQ(text.find("nan"), std::string::npos);
+}
+
+// One vote a row: winner over loser, by an observer, on alternating sides.
+VoteTable votes_of(const std::vector<std::array<std::string, 3>>& rows) {
+    std::vector<VoteRow> votes;
+    for (const auto& [observer, winner, loser] : rows) {
+        const bool left = votes.size() % 2 == 0;
+        votes.push_back({observer,
+                         std::to_string(votes.size()),
+                         1,
+                         {"s"},
+                         left ? winner : loser,
+                         left ? loser : winner,
+                         left ? protocols::Choice::Left : protocols::Choice::Right,
+                         -1});
+    }
+    return vote_table({"scene"}, votes).value();
+}
+
+TEST(Findings, AWinnerWhoNeverLosesIsNamedAndPenalised) {
+    const auto findings = analyze(votes_of({{"O1", "A", "B"},
+                                            {"O1", "A", "C"},
+                                            {"O1", "B", "C"},
+                                            {"O2", "A", "B"},
+                                            {"O2", "C", "B"},
+                                            {"O2", "A", "C"}}));
+    EXPECT_EQ(findings.scales.bradley_terry.estimate, scaling::Estimate::Firth);
+    const auto text = findings_text(findings);
+    EXPECT_THAT(text, HasSubstr("no condition of a later group was ever chosen over one of an "
+                                "earlier group in {A} above {B, C}"));
+    EXPECT_THAT(text, HasSubstr("Firth's penalised estimates"));
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+}
+
+TEST(Findings, ConditionsNeverComparedAreNamed) {
+    const auto findings = analyze(votes_of({{"O1", "A", "B"},
+                                            {"O1", "B", "A"},
+                                            {"O1", "C", "D"},
+                                            {"O2", "D", "C"},
+                                            {"O2", "A", "B"}}));
+    EXPECT_EQ(findings.scales.bradley_terry.estimate, scaling::Estimate::None);
+    const auto text = findings_text(findings);
+    EXPECT_THAT(text, HasSubstr("no vote decides between these groups, neither directly nor "
+                                "through others: {A, B}, {C, D}"));
+    const auto json = nlohmann::json::parse(findings_json(findings));
+    EXPECT_TRUE(json["choice_models"]["bradley_terry"]["theta_centered"][0].is_null());
+    EXPECT_EQ(json["choice_models"]["bradley_terry"]["estimate"], "none");
+}
+
+TEST(Findings, OfNothingButTiesHaveNoScaleAndSaySo) {
+    std::vector<VoteRow> votes;
+    for (const auto* observer : {"O1", "O2", "O3"})
+        for (const auto& [left, right] : {std::pair{"A", "B"}, {"A", "C"}, {"B", "C"}})
+            votes.push_back({observer, "1", 1, {"s"}, left, right, protocols::Choice::Tie, -1});
+    const auto findings = analyze(vote_table({"scene"}, votes).value());
+    EXPECT_EQ(findings.method_effect()->test.outcome, anova::Outcome::Undefined);
+    EXPECT_EQ(findings.ranking[0].share, 0.5);
+    EXPECT_EQ(findings.scales.davidson->estimate, scaling::Estimate::None);
+    const auto text = findings_text(findings);
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+    EXPECT_TRUE(nlohmann::json::accept(findings_json(findings)));
+}
+
+TEST(Findings, UnanimousObserversMakeFInfinite) {
+    std::vector<VoteRow> votes;
+    for (const auto* observer : {"O1", "O2", "O3"})
+        for (const auto& [left, right] : {std::pair{"A", "B"}, {"A", "C"}, {"B", "C"}})
+            votes.push_back({observer, "1", 1, {"s"}, left, right, protocols::Choice::Left, -1});
+    const auto findings = analyze(vote_table({"scene"}, votes).value());
+    EXPECT_EQ(findings.method_effect()->test.outcome, anova::Outcome::Infinite);
+    EXPECT_EQ(findings.scales.bradley_terry.estimate, scaling::Estimate::Firth);
+    EXPECT_EQ(findings.consistency.triads.mean_zeta, 1);
+    const auto text = findings_text(findings);
+    EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+}
+
+TEST(Findings, AMissingSittingLeavesThatObserverOutOfTheTestsOnly) {
+    auto rows = golden_text("experiment/votes.csv");
+    std::string kept, line;
+    std::istringstream lines(rows);
+    while (std::getline(lines, line))
+        if (!line.starts_with("O03,2,"))
+            kept += line + "\n";
+    const auto findings = analyze(read_votes_csv(kept, "votes.csv").value());
+    EXPECT_EQ(findings.design.votes, 1620 - 54);
+    EXPECT_EQ(findings.within[0].analysis.observers, 9u);
+    EXPECT_THAT(findings.design.incomplete_observers, testing::ElementsAre("O03"));
+    EXPECT_EQ(findings.scales.left_out.size(), 10u); // the scales use every vote
+    EXPECT_EQ(findings.scales.observers[2], "O03");
 }
 
 TEST(Findings, SmallPAreToldByTheirLogarithm) {

@@ -7,13 +7,10 @@
 // taken within a round, and its median and quartiles over the rounds are printed, then the
 // geometric mean of the medians over the models.  Processor time counts all threads of the
 // rasteriser.
-#include "renderer/camera.h"
-#include "renderer/geometry/mesh_repair.h"
-#include "renderer/geometry/model_library.h"
 #include "renderer/gpu/context.h"
 #include "renderer/gpu/target.h"
-#include "renderer/materials.h"
 #include "renderer/methods/catalogue.h"
+#include "tests/bench/workbench.h"
 
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
@@ -31,14 +28,8 @@
 namespace {
 
 using namespace renderer;
+using namespace bench;
 using methods::Dials;
-
-template <class T>
-T value_or_throw(Expected<T> result) {
-    if (!result)
-        throw std::runtime_error(result.error());
-    return std::move(*result);
-}
 
 double processor_seconds() {
     timespec now{};
@@ -88,17 +79,6 @@ struct Variant {
 
 constexpr int frames_per_turn = 4;
 
-Scene scene_of(const geometry::Mesh& mesh, const Options& options) {
-    const Millimetres diameter{100};
-    const Turntable table{.turn_degrees = 30, .elevation_degrees = 15};
-    Scene scene;
-    scene.placement = place(geometry::bounding_sphere(mesh), diameter, table);
-    scene.camera = frame(diameter, table, static_cast<double>(options.width) / options.height);
-    scene.material = *measured_material("marble");
-    scene.lights = {{DirectionalLight{{0, 0.3, -1}}, {1, 1, 1}}};
-    return scene;
-}
-
 /// The light goes around the body, a degree a frame.
 void move_light(Scene& scene, int frame) {
     const double angle = glm::radians(static_cast<double>(frame));
@@ -121,31 +101,15 @@ double seconds_of_a_frame(Variant& variant, Scene scene, int first_frame) {
 }
 
 std::vector<Variant> variants_for(const geometry::Mesh& mesh, const Options& options) {
-    const auto scene = scene_of(mesh, options);
-    std::map<int, std::shared_ptr<const thickness::ThicknessField>> fields;
-    const methods::Subject subject{
-        .mesh = mesh,
-        .surface = value_or_throw(methods::Surface::upload(mesh)),
-        .material = scene.material,
-        .placement = scene.placement,
-        .field = [&](thickness::FieldOptions asked)
-            -> Expected<std::shared_ptr<const thickness::ThicknessField>> {
-            asked.directions = 256; // a frame's cost does not depend on it
-            auto& field = fields[asked.bands];
-            if (field == nullptr)
-                field = std::make_shared<const thickness::ThicknessField>(
-                    value_or_throw(thickness::compute_thickness_field(mesh, asked)));
-            return field;
-        },
-        .progress = {}};
+    const auto scene = scene_of(mesh, options.width, options.height);
+    const Workbench workbench(mesh, scene);
     std::vector<Variant> variants;
     const auto add = [&](const std::string& label, const std::string& name, Dials dials) {
         const auto* method = methods::find_method(name);
         for (const auto& dial : method->dials)
             if (dial.name == "law")
                 dials["law"] = options.law;
-        const std::shared_ptr<methods::Method> made =
-            value_or_throw(methods::prepare_method(name, dials, subject));
+        const std::shared_ptr<methods::Method> made = workbench.prepare(name, dials);
         variants.push_back({label + ", light moves", made, true, {}});
         variants.push_back({label + ", light rests", made, false, {}});
     };
@@ -155,7 +119,8 @@ std::vector<Variant> variants_for(const geometry::Mesh& mesh, const Options& opt
         add(fmt::format("shss, {} coefficients", bands * bands), "shss",
             {{"bands", std::int64_t{bands}}});
     for (const auto& method : methods::catalogue())
-        if (method.name != "constant" && method.name != "phong" && method.name != "shss")
+        if (method.name != "constant" && method.name != "phong" && method.name != "shss" &&
+            method.name != "jensen") // seconds a light, and no frame rate at all
             add(method.name, method.name, {});
     return variants;
 }
@@ -181,11 +146,9 @@ std::vector<double> ratios(const Variant& variant, const Variant& base) {
 }
 
 std::map<std::string, Ratios> measure(const std::string& name, const Options& options) {
-    const auto model = value_or_throw(geometry::find_model(name, {".", {"."}}));
-    const auto mesh =
-        value_or_throw(geometry::prepare(value_or_throw(geometry::load_model(model)), name)).mesh;
+    const auto mesh = load_mesh(name);
     const auto target = value_or_throw(gpu::Target::create(options.width, options.height));
-    const auto scene = scene_of(mesh, options);
+    const auto scene = scene_of(mesh, options.width, options.height);
     auto variants = variants_for(mesh, options);
     const auto drawing = target.draw_into();
     for (int round = -1; round < options.rounds; ++round)

@@ -19,7 +19,8 @@ tl::expected<Dials, DialProblem> complete(const std::string& method, const Dials
     const std::map<std::string, std::set<std::string>> dials_of{
         {"phong", {}},
         {"green", {"law", "depth_map"}},
-        {"shss", {"bands", "law", "thickness", "directions"}}};
+        {"shss", {"bands", "law", "thickness", "directions"}},
+        {"guess", {}}};
     for (const auto& [name, value] : given)
         if (!dials_of.at(method).contains(name))
             return tl::unexpected(DialProblem{name, "is no dial of " + method});
@@ -31,9 +32,10 @@ tl::expected<Dials, DialProblem> complete(const std::string& method, const Dials
 }
 
 KnownNames known_names() {
-    return {.methods = {"phong", "green", "shss"},
+    return {.methods = {"phong", "green", "shss", "guess"},
             .materials = {"apple", "chicken1", "chicken2", "cream", "ketchup", "marble", "potato",
                           "skim-milk", "skin1", "skin2", "spectralon", "whole-milk"},
+            .caveats = {{"guess", "reconstruction"}},
             .complete = complete};
 }
 
@@ -242,7 +244,7 @@ TEST(StudyFile, WithAValueOfTheWrongTypeIsToldTheRightOne) {
     EXPECT_EQ(complaint(changed("title = \"A pilot\"", "title = \"A\\npilot\"")).substr(0, 8),
               "3: title");
     EXPECT_EQ(complaint(changed("method = \"shss\"", "method = true")),
-              "16: method in [[condition]] is true, expected one of phong, green, shss");
+              "16: method in [[condition]] is true, expected one of phong, green, shss, guess");
     EXPECT_EQ(complaint("study = 3\n" + minimal.substr(minimal.find("[[scene]]"))),
               "1: study in the study file is 3, expected the table [study]");
     EXPECT_THAT(complaint(changed("[[scene]]", "[scene]")),
@@ -413,7 +415,8 @@ TEST(StudyFile, WithAnIdThatNoFileCanHaveIsRefused) {
 
 TEST(StudyFile, WithAnUnknownNameIsToldTheKnownOnes) {
     EXPECT_EQ(complaint(changed("method = \"shss\"", "method = \"shs\"")),
-              "16: method in [[condition]] is \"shs\", expected one of phong, green, shss (did you "
+              "16: method in [[condition]] is \"shs\", expected one of phong, green, shss, guess "
+              "(did you "
               "mean 'shss'?)");
     EXPECT_THAT(complaint(changed("\"marble\"", "\"marbel\"")),
                 testing::HasSubstr("(did you mean 'marble'?)"));
@@ -435,6 +438,34 @@ TEST(StudyFile, WithADialItsMethodCannotTakeIsRefused) {
               "21: law in [[condition]] is no dial of source \"images\", which has none");
     EXPECT_THAT(complaint(changed("method = \"phong\"", "method = \"phong\"\nsource = \"images\"")),
                 testing::HasSubstr("both 'method' and 'source'"));
+}
+
+TEST(StudyFile, MayGiveAConditionCoefficientsOfItsOwn) {
+    const std::string k = "[condition.k.bunny]\nambient = [0, 0, 0]\ndiffuse = [0.1, 0.2, 0.3]\n"
+                          "scatter = [1, 1, 1]\n";
+    const auto study = parsed(minimal + k);
+    EXPECT_EQ(std::get<Rendering>(study.conditions.at(1).source).k,
+              (std::map<std::string, ShadingCoefficients>{
+                  {"bunny", {{0, 0, 0}, {0.1, 0.2, 0.3}, {0, 0, 0}, {1, 1, 1}}}}));
+    EXPECT_EQ(complaint(minimal + "[condition.k.horse]\n"),
+              "18: condition 'plain' has coefficients for 'horse', expected the id of a scene");
+    EXPECT_THAT(complaint(minimal + k + "gloss = 3\n"), testing::HasSubstr("unknown key 'gloss'"));
+    EXPECT_THAT(complaint(minimal + "[condition.k.bunny]\ndiffuse = [-1, 0, 0]\n"),
+                testing::HasSubstr("expected three numbers"));
+}
+
+TEST(StudyFile, SaysOfAReconstructionThatItIsOne) {
+    const auto label = [](const std::string& lines) {
+        return parsed(changed("method = \"phong\"", "method = \"guess\"\n" + lines))
+            .conditions.at(1)
+            .label;
+    };
+    EXPECT_EQ(label(""), "plain (reconstruction)");
+    EXPECT_EQ(label("label = \"Somebody, a reconstruction\""), "Somebody, a reconstruction");
+    EXPECT_EQ(
+        complaint(changed("method = \"phong\"", "method = \"guess\"\nlabel = \"Somebody 2007\"")),
+        "21: label in [[condition]] is \"Somebody 2007\", expected the word "
+        "\"reconstruction\" in it, for that is what method 'guess' is");
 }
 
 TEST(StudyFile, KeepsNumbersAndNamesOfDialsApart) {

@@ -1,5 +1,7 @@
 #include "analysis/consistency/agreement.h"
+#include "analysis/consistency/agreement_exact.h"
 #include "analysis/consistency/repeatability.h"
+#include "tests/analysis/numerics/golden_json.h"
 
 #include <cmath>
 
@@ -28,6 +30,35 @@ TEST(Agreement, OfTwoJudgesHasNoChiSquared) {
     EXPECT_EQ(result.u, 1);
     EXPECT_TRUE(std::isnan(result.p));
     EXPECT_THAT(result.reason, testing::HasSubstr("two judges"));
+}
+
+TEST(Agreement, ExactTailsAgreeWithTheTextbookSets) {
+    const auto sets = golden::read_json("textbook_paired.json");
+    int compared = 0;
+    for (const auto& [name, set] : sets.items()) {
+        if (!set.is_object() || !set.contains("agreement") ||
+            !set["agreement"].contains("p_exact_sigma_at_least"))
+            continue;
+        const auto& row = set["agreement"];
+        const auto p =
+            agreement_p_exact(row["Sigma"].get<std::int64_t>(), row["m"].get<std::int64_t>(),
+                              row["k"].get<std::int64_t>());
+        ASSERT_TRUE(p) << name;
+        // The golden ones were convolved in doubles: good to about 1e-14 of the law's largest term.
+        EXPECT_NEAR(*p / row["p_exact_sigma_at_least"].get<double>(), 1, 1e-11) << name;
+        ++compared;
+    }
+    EXPECT_GE(compared, 3);
+}
+
+// Two judges of three pairs: they agree on each with probability 1/2.
+TEST(Agreement, ExactLawOfTwoJudgesIsBinomial) {
+    EXPECT_EQ(agreement_p_exact(0, 2, 3), 1.0);
+    EXPECT_EQ(agreement_p_exact(1, 2, 3), 7.0 / 8);
+    EXPECT_EQ(agreement_p_exact(2, 2, 3), 4.0 / 8);
+    EXPECT_EQ(agreement_p_exact(3, 2, 3), 1.0 / 8);
+    EXPECT_EQ(agreement_p_exact(4, 2, 3), 0.0);
+    EXPECT_FALSE(agreement_p_exact(4, 1'000'000'000, 20));
 }
 
 TEST(Agreement, IsForForcedChoicesOnEqualNumbers) {

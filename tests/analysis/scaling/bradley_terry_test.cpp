@@ -254,4 +254,12 @@ TEST(Davidson, OfTwoConditionsHasItsClosedForm) {
     EXPECT_NEAR(fit.log_nu->value, std::log(5 / std::sqrt(12.0 * 3)), 1e-14);
 }
 
+// One vote: Jeffreys' prior adds half a vote to each side, so the odds are 1.5 to 0.5.
+TEST(Firth, OfASingleVoteIsThreeToOne) {
+    const std::vector<std::int64_t> wins{0, 1, 0, 0};
+    const auto fit = fit_bradley_terry({2, wins});
+    EXPECT_EQ(fit.estimate, Estimate::Firth);
+    EXPECT_NEAR(fit.theta[0] - fit.theta[1], std::log(3.0), 1e-13);
+}
+
 } // namespace

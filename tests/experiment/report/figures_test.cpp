@@ -11,9 +11,12 @@ using testing::StartsWith;
 TEST(Figures, AreDrawnAsSvgWithTextAndAsPdf) {
     const auto figures = draw_figures(shared_experiment());
     ASSERT_TRUE(figures.has_value()) << figures.error();
-    ASSERT_EQ(figures->size(), 2U);
+    ASSERT_EQ(figures->size(), 4U); // mean-votes, vote-matrix, scale, residuals
     for (const auto& figure : *figures) {
         EXPECT_THAT(figure.pdf, StartsWith("%PDF"));
+        EXPECT_FALSE(figure.description.empty());
+        if (figure.name == "residuals")
+            continue; // points without names
         for (const auto* label : {"SHSS", "PRT", "Patro", "Green"}) {
             EXPECT_THAT(figure.svg, HasSubstr(label)) << figure.name;
             EXPECT_THAT(figure.description, HasSubstr(label)) << figure.name;

@@ -153,6 +153,17 @@ TEST(ReportPage, ShowsEveryNumberOfTheTests) {
                     }
 }
 
+TEST(ReportPage, ShowsTheScaleAndTheObservers) {
+    const auto page = page_of(with_everything());
+    EXPECT_THAT(page, HasSubstr("How far apart they are"));
+    EXPECT_THAT(page, HasSubstr("<td>0.71</td>"));  // SHSS in JOD
+    EXPECT_THAT(page, HasSubstr("<td>0.796</td>")); // and in log-odds
+    EXPECT_THAT(page, HasSubstr("scales differ by model"));
+    EXPECT_THAT(page, HasSubstr("<td>29.53</td>"));
+    EXPECT_THAT(page, HasSubstr("How consistent the answers are"));
+    EXPECT_EQ(count(page, "in 27</td>"), 10); // circular triads in each observer's rounds
+}
+
 TEST(ReportPage, PrintsTheCaveatBesideThePapersTest) {
     const auto page = page_of(shared_experiment());
     const auto heading = page.find("<h2>As in the paper</h2>");

@@ -284,4 +284,22 @@ TEST_F(ImageFiles, RemarkOnColoursThatAreNotSrgb) {
     EXPECT_EQ(image->image.codes, std::vector<std::uint16_t>(12, 99)); // told, not converted
 }
 
+TEST_F(ImageFiles, KeepLayersToTheLastBitBesideThePicture) {
+    LayeredImage image{2, 1, {}};
+    for (const char* name : {"R", "G", "B", "A", "variance.R", "odd.low.G"})
+        image.layers.push_back({name, {1.0f + 0.1f * static_cast<float>(name[0]), 1e-30f}});
+    ASSERT_TRUE(write_layers(file("a.exr"), image, {{"reference:seed", "7"}}));
+    const auto back = read_layers(file("a.exr"));
+    ASSERT_TRUE(back) << back.error();
+    for (const auto& layer : image.layers) {
+        const auto* found = find_layer(*back, layer.channel);
+        ASSERT_NE(found, nullptr) << layer.channel;
+        EXPECT_EQ(found->values, layer.values);
+    }
+    const auto picture = read_exr(file("a.exr"));
+    ASSERT_TRUE(picture) << picture.error();
+    EXPECT_EQ(picture->pixels[0].g, image.layers[1].values[0]);
+    EXPECT_EQ(picture->coverage[1], 1e-30f);
+}
+
 } // namespace

@@ -8,6 +8,7 @@
 #include "renderer/methods/green.h"
 #include "renderer/methods/phong.h"
 #include "renderer/methods/picture.h"
+#include "renderer/methods/separable.h"
 #include "renderer/methods/shss.h"
 
 #include <glm/geometric.hpp>
@@ -155,6 +156,12 @@ inline Made make(const methods::GreenSettings& settings,
                  SharedSurface surface,
                  const thickness::ThicknessField* field) {
     return methods::prepare_green(settings, std::move(surface), field);
+}
+
+inline Made make(const methods::SeparableSettings& settings,
+                 SharedSurface surface,
+                 const thickness::ThicknessField* field) {
+    return methods::prepare_separable(settings, std::move(surface), field);
 }
 
 inline Made make(const methods::ShssSettings& settings,

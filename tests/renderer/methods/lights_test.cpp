@@ -104,7 +104,8 @@ TEST_F(Lights, ThatAreNearFallWithTheSquaredDistance) {
     EXPECT_NEAR(at(100), 0.5 * 4, 4e-4);
 }
 
-/// Thickness toward a near light in double, vertex by vertex, against what is drawn.
+/// Thickness toward a near light in double, vertex by vertex, against what is drawn from floats and
+/// from bytes.
 TEST_F(Lights, ThatAreNearSeeEveryVertexFromTheirOwnPlace) {
     auto field = sphere_field(sphere_, 1, 5);
     for (std::size_t i = 0; i < field.coefficients.size(); ++i)
@@ -115,40 +116,43 @@ TEST_F(Lights, ThatAreNearSeeEveryVertexFromTheirOwnPlace) {
     const glm::dvec3 place(20, 30, -90);
     scene.lights = {{PointLight{place, Millimetres{100}}, {1, 1, 1}}};
     keep_scatter_only(scene);
-    const auto image = picture(sphere_, ShssSettings{.law = Law::Paper}, scene, size, 1, &field);
-
     const auto& world_from_model = scene.placement.world_from_model;
     const double d_n = field.d_n * std::cbrt(glm::determinant(glm::dmat3(world_from_model)));
     std::vector<double> y(25);
-    int checked = 0;
-    for (int row = 2; row < size; row += 4)
-        for (int column = 1; column < size; column += 4) {
-            const auto hit = seen_by_pixel(sphere_, scene, column, row, size, size);
-            if (!hit)
-                continue;
-            double d = 0;
-            for (std::size_t j = 0; j < 3; ++j) {
-                const auto vertex = sphere_.triangles[hit->triangle][j];
-                const auto& p = sphere_.positions[vertex];
-                const auto way =
-                    glm::dvec3(glm::inverse(world_from_model) * glm::dvec4(place, 1)) - p;
-                harmonics::evaluate(5, glm::normalize(way), y);
-                double toward = 0;
-                for (std::size_t i = 0; i < 25; ++i)
-                    toward += y[i] * static_cast<double>(field.coefficients[25 * vertex + i]);
-                const auto world_way = place - glm::dvec3(world_from_model * glm::dvec4(p, 1));
-                d += hit->weights[static_cast<int>(j)] * std::min(toward, glm::length(way)) *
-                     glm::length(world_way) / glm::length(way);
+    for (const auto type : {thickness::ComponentType::Float32, thickness::ComponentType::Int8}) {
+        const auto image = picture(sphere_, ShssSettings{.law = Law::Paper, .coefficients = type},
+                                   scene, size, 1, &field);
+        const auto stored = thickness::coefficients_of(thickness::band_streams(field, 5, type));
+        int checked = 0;
+        for (int row = 2; row < size; row += 4)
+            for (int column = 1; column < size; column += 4) {
+                const auto hit = seen_by_pixel(sphere_, scene, column, row, size, size);
+                if (!hit)
+                    continue;
+                double d = 0;
+                for (std::size_t j = 0; j < 3; ++j) {
+                    const auto vertex = sphere_.triangles[hit->triangle][j];
+                    const auto& p = sphere_.positions[vertex];
+                    const auto way =
+                        glm::dvec3(glm::inverse(world_from_model) * glm::dvec4(place, 1)) - p;
+                    harmonics::evaluate(5, glm::normalize(way), y);
+                    double toward = 0;
+                    for (std::size_t i = 0; i < 25; ++i)
+                        toward += y[i] * static_cast<double>(stored[25 * vertex + i]);
+                    const auto world_way = place - glm::dvec3(world_from_model * glm::dvec4(p, 1));
+                    d += hit->weights[static_cast<int>(j)] * std::min(toward, glm::length(way)) *
+                         glm::length(world_way) / glm::length(way);
+                }
+                const auto way = place - hit->point;
+                const double falloff = 100.0 * 100.0 / glm::dot(way, way);
+                const double expected = falloff * (1 - std::clamp(d / d_n, 0.0, 1.0));
+                // Float32 harmonics of 5 bands: 7e-7 of values up to 2; d/D_n to 1e-5.
+                EXPECT_NEAR(rgb(pixel(image, column, row)).g, expected, 1e-4 * falloff)
+                    << column << ' ' << row;
+                ++checked;
             }
-            const auto way = place - hit->point;
-            const double falloff = 100.0 * 100.0 / glm::dot(way, way);
-            const double expected = falloff * (1 - std::clamp(d / d_n, 0.0, 1.0));
-            // Float32 harmonics of 5 bands: 7e-7 of values up to 2; d/D_n to 1e-5.
-            EXPECT_NEAR(rgb(pixel(image, column, row)).g, expected, 1e-4 * falloff)
-                << column << ' ' << row;
-            ++checked;
-        }
-    EXPECT_GT(checked, 15);
+        EXPECT_GT(checked, 15);
+    }
 }
 
 // A light inside the body is never farther than it is.
@@ -160,8 +164,8 @@ TEST_F(Lights, InsideTheBodyCapTheThicknessAtTheirDistance) {
     scene.lights = {{PointLight{{0, 0, 40}, Millimetres{10}}, {1, 1, 1}}};
     keep_scatter_only(scene);
     field.d_n = 0.4; // 20 mm
-    const auto image =
-        picture(sphere_, ShssSettings{.bands = 1, .law = Law::Paper}, scene, 65, 1, &field);
+    const auto image = picture(sphere_, ShssSettings{.bands = {.bands = 1}, .law = Law::Paper},
+                               scene, 65, 1, &field);
     // 10 mm under the surface, where the intensity is what it says; the sphere's mesh lies up to
     // 0.1 mm inside the sphere.
     EXPECT_NEAR(rgb(pixel(image, 32, 32)).g, 0.5, 0.01);

@@ -91,7 +91,8 @@ TEST_F(RenderPicture, WithoutScatterAllMethodsDrawTheSameBits) {
     for (const auto law : {methods::Law::Paper, methods::Law::Physical}) {
         EXPECT_TRUE(same_bits(methods::GreenSettings{.depth_map = 256, .law = law}));
         for (int bands = 1; bands <= 6; ++bands)
-            EXPECT_TRUE(same_bits(methods::ShssSettings{.bands = bands, .law = law})) << bands;
+            EXPECT_TRUE(same_bits(methods::ShssSettings{.bands = {.bands = bands}, .law = law}))
+                << bands;
     }
 }
 

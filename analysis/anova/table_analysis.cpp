@@ -1,0 +1,135 @@
+#include "analysis/anova/table_analysis.h"
+
+#include "analysis/anova/letters.h"
+#include "analysis/anova/table_parts.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace analysis::anova {
+
+namespace {
+
+std::vector<std::string> letters_of(const RangeTest& test, std::span<const double> means) {
+    std::vector<std::size_t> ranked(means.size());
+    std::iota(ranked.begin(), ranked.end(), std::size_t{0});
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [&](auto a, auto b) { return means[a] > means[b]; });
+    std::vector<std::pair<std::size_t, std::size_t>> significant;
+    for (const auto& pair : test.pairs)
+        if (pair.significant)
+            significant.emplace_back(pair.first, pair.second);
+    return compact_letters(ranked, significant).value_or(std::vector<std::string>{});
+}
+
+Expected<std::optional<std::size_t>> control_of(const Measurements& table,
+                                                const TableOptions& options) {
+    if (options.control.empty())
+        return std::optional<std::size_t>{};
+    if (table.levels.size() != 1)
+        return tl::unexpected(std::string("a control goes with a single factor"));
+    const auto found = table.levels[0].find(options.control);
+    if (found < 0)
+        return tl::unexpected(fmt::format("control '{}' is no level of {}, expected one of {}",
+                                          options.control, table.names.factors[0],
+                                          fmt::join(table.levels[0].names(), ", ")));
+    return std::optional(static_cast<std::size_t>(found));
+}
+
+} // namespace
+
+void finish_sums(TableAnalysis& result, const numerics::Shifted& shifted) {
+    const auto scale = [&](Variation& part) {
+        part.ss = shifted.squares_in_data_unit(static_cast<long double>(part.ss));
+    };
+    if (result.total.ss > 0) {
+        for (auto& term : result.terms)
+            term.eta_squared = term.effect.ss / result.total.ss;
+        result.r_squared = 1 - result.residual.ss / result.total.ss;
+    }
+    if (result.residual.df > 0)
+        result.residual_sd =
+            shifted.in_data_unit(std::sqrt(static_cast<long double>(result.residual.ms())), 0);
+    for (auto& term : result.terms) {
+        scale(term.effect);
+        if (term.error)
+            scale(*term.error);
+    }
+    scale(result.residual);
+    scale(result.total);
+}
+
+LevelComparisons compare_levels(const Measurements& table,
+                                const TableOptions& options,
+                                std::vector<double> means,
+                                std::vector<std::int64_t> n,
+                                Variation error,
+                                std::optional<std::size_t> control) {
+    LevelComparisons levels;
+    levels.levels = table.levels[0].names();
+    levels.tukey = tukey(means, n, error, options.level);
+    levels.letters = letters_of(levels.tukey, means);
+    if (control)
+        levels.dunnett = dunnett(means, n, error, *control, options.level);
+    levels.mean = std::move(means);
+    levels.n = std::move(n);
+    return levels;
+}
+
+void to_data_unit(LevelComparisons& levels, const numerics::Shifted& shifted) {
+    const auto scale = [&](double& value) {
+        value = shifted.in_data_unit(static_cast<long double>(value), 0);
+    };
+    for (auto& mean : levels.mean)
+        mean = shifted.in_data_unit(static_cast<long double>(mean), shifted.origin);
+    for (auto& sd : levels.sd)
+        scale(sd);
+    auto& mse = levels.tukey.mean_square_error;
+    mse = shifted.squares_in_data_unit(static_cast<long double>(mse));
+    scale(levels.tukey.comparison_half_width);
+    for (auto* pairs : {&levels.tukey.pairs, &levels.games_howell})
+        for (auto& pair : *pairs)
+            for (auto* value : {&pair.difference, &pair.standard_error, &pair.lower, &pair.upper})
+                scale(*value);
+    for (auto& pair : levels.t)
+        scale(pair.difference);
+    if (levels.dunnett)
+        for (auto& pair : levels.dunnett->pairs)
+            for (auto* value : {&pair.difference, &pair.lower, &pair.upper})
+                scale(*value);
+}
+
+void add_term(TableAnalysis& result, TableTerm term) {
+    if (term.test.outcome == Outcome::Computed)
+        term.eta_interval = eta_squared_interval(term.test.f, term.test.df1, term.test.df2,
+                                                 1 - result.options.level);
+    else
+        term.eta_interval = {undefined, undefined};
+    result.terms.push_back(std::move(term));
+}
+
+Expected<TableAnalysis> analyze_table(const Measurements& table, const TableOptions& options) {
+    if (table.levels.empty())
+        return tl::unexpected(std::string("no factor is named, expected at least one"));
+    for (std::size_t f = 0; f < table.levels.size(); ++f)
+        if (table.levels[f].size() < 2)
+            return tl::unexpected(fmt::format("'{}' has one level, {}; expected two or more",
+                                              table.names.factors[f], table.levels[f].name(0)));
+    auto control = control_of(table, options);
+    if (!control)
+        return tl::unexpected(control.error());
+    TableAnalysis result;
+    result.columns = table.names;
+    result.options = options;
+    if (table.without_response > 0)
+        result.notes.push_back(
+            fmt::format("{} rows without a value were passed over.", table.without_response));
+    return table.subject.empty() ? independent_analysis(std::move(result), table, *control)
+                                 : repeated_analysis(std::move(result), table, *control);
+}
+
+} // namespace analysis::anova

@@ -1,0 +1,241 @@
+// pairlight reference: a picture by following light, with its error; and the numbers of tables.
+#include "experiment/commands/commands.h"
+#include "experiment/commands/reference_energy.h"
+#include "experiment/models.h"
+#include "experiment/progress.h"
+#include "experiment/read_study.h"
+#include "experiment/stimuli/lit_scene.h"
+#include "experiment/stimuli/reference_file.h"
+#include "renderer/materials.h"
+#include "renderer/reference/convergence.h"
+#include "renderer/reference/energy.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace experiment::commands {
+
+namespace fs = std::filesystem;
+namespace reference = renderer::reference;
+
+namespace {
+
+struct Options {
+    std::string subject;
+    std::string scene, variant;
+    // for a model without a study
+    protocols::Scene look{.material = "marble"};
+    std::array<double, 3> to_light{0, 0.3, -1};
+    int size = 480;
+
+    std::string boundary = "matched";
+    double roughness = 0.3, anisotropy = 0, sun_degrees = 0;
+    reference::StopRule rule;
+    double seconds = 0;
+    std::uint64_t seed = 1;
+    std::string out;
+    Voice voice;
+};
+
+/// What is to be rendered: a study's scene under a variant, or a model on its own.
+struct Subject {
+    StudyFolder folder;
+    protocols::Study study;
+    protocols::Scene scene;
+    protocols::Variant variant;
+};
+
+bool is_study(const std::string& path) {
+    std::error_code ignored;
+    return fs::path(path).extension() == ".toml" ||
+           fs::exists(fs::path(path) / "study.toml", ignored);
+}
+
+Subject study_subject(const Options& options) {
+    const auto loaded = value_or_stop(read_study(options.subject));
+    const auto& scenes = loaded.study.scenes;
+    const auto variants = protocols::shown_variants(loaded.study);
+    const auto scene =
+        options.scene.empty()
+            ? scenes.begin()
+            : std::ranges::find(scenes, options.scene, [](const auto& s) { return s.id.value; });
+    if (scene == scenes.end())
+        throw CommandError(fmt::format("{}: no scene \"{}\"", options.subject, options.scene));
+    const auto variant = options.variant.empty()
+                             ? variants.begin()
+                             : std::ranges::find(variants, options.variant,
+                                                 [](const auto& v) { return v.id.value; });
+    if (variant == variants.end())
+        throw CommandError(fmt::format("{}: no variant \"{}\"", options.subject, options.variant));
+    return {loaded.folder, loaded.study, *scene, *variant};
+}
+
+Subject model_subject(const Options& options) {
+    Subject subject{{"."}, {}, options.look, {}};
+    subject.study.width = subject.study.height = options.size;
+    subject.scene.model = options.subject;
+    const auto& l = options.to_light;
+    const auto unit = glm::normalize(glm::dvec3(l[0], l[1], l[2]));
+    subject.variant.lights = {{.to_light = {unit.x, unit.y, unit.z}}};
+    return subject;
+}
+
+std::string words_of(const protocols::Light& light) {
+    const bool is_far = light.kind == protocols::Light::Kind::Far;
+    const auto& [x, y, z] = is_far ? light.to_light : light.position_mm;
+    const auto& [r, g, b] = light.intensity;
+    return fmt::format("{} {} {} {} reference_mm {} intensity {} {} {}", is_far ? "far" : "near", x,
+                       y, z, light.reference_mm, r, g, b);
+}
+
+/// Equal for equal pictures, so that a file is only gone on with when it is of the same one.
+std::string recipe_of(const Options& options, const Subject& subject, const LoadedModel& model) {
+    const auto& s = subject.scene;
+    auto recipe = fmt::format(
+        "model {} {} up {} {} {} turn {} elevation {} diameter_mm {} material {} pixels {} x {} "
+        "boundary {} roughness {} anisotropy {} sun_degrees {}",
+        model.record.file, model.record.sha256, s.up[0], s.up[1], s.up[2], s.turn_degrees,
+        s.elevation_degrees, s.diameter_mm, s.material, subject.study.width, subject.study.height,
+        options.boundary, options.roughness, options.anisotropy, options.sun_degrees);
+    for (const auto& light : subject.variant.lights)
+        recipe += " light " + words_of(light);
+    return recipe;
+}
+
+reference::Film
+film_to_go_on_with(const Options& options, const Subject& subject, const std::string& recipe) {
+    std::error_code ignored;
+    if (!fs::exists(options.out, ignored))
+        return reference::blank_film(subject.study.width, subject.study.height, options.seed);
+    auto stored = value_or_stop(stimuli::read_reference(options.out));
+    if (stored.recipe != recipe || stored.film.seed != options.seed)
+        throw CommandError(fmt::format("{}: is a reference of something else; name another file, "
+                                       "or take it away",
+                                       options.out));
+    return std::move(stored.film);
+}
+
+void report(const Options& options,
+            const reference::Film& film,
+            const reference::Outcome& outcome) {
+    const auto samples = static_cast<std::uint64_t>(film.batches) << film.log2_batch;
+    options.voice.remark(fmt::format(
+        "{} samples a pixel in {:.1f} s{}; {:.2f} % of the object's pixels within the rule, "
+        "standard error {:.3g} % of the mean; {} leaks in {} paths",
+        samples, outcome.seconds, outcome.out_of_time ? ", out of time" : "",
+        100 * outcome.state.good_share, 100 * outcome.state.relative_error, film.leaks,
+        film.paths));
+}
+
+void run(Options& options) {
+    if (options.subject.empty())
+        throw CommandError("name a MODEL or a STUDY, or one of slab, half-space, sphere, furnace");
+    if (options.out.empty())
+        throw CommandError("say where the picture goes: --out FILE.exr");
+    if (fs::path(options.out).extension() != ".exr")
+        throw CommandError(fmt::format("{}: expected a name that ends in .exr", options.out));
+    if (options.seconds > 0)
+        options.rule.time_budget = std::chrono::duration<double>(options.seconds);
+    const auto subject =
+        is_study(options.subject) ? study_subject(options) : model_subject(options);
+    const auto model = value_or_stop(load_model(subject.scene.model, subject.folder));
+    for (const auto& remark : model.remarks)
+        options.voice.remark(remark);
+    const auto scene = value_or_stop(
+        stimuli::lit_scene(subject.study, subject.scene, subject.variant, model.mesh));
+    const reference::ReferenceSettings settings{
+        {*reference::boundary_kind(options.boundary), options.roughness},
+        options.anisotropy,
+        renderer::from_degrees(options.sun_degrees)};
+    const auto picture = value_or_stop(reference::picture_of_scene(model.mesh, scene, settings));
+    const double mm = std::cbrt(glm::determinant(glm::dmat3(scene.placement.world_from_model)));
+    options.voice.remark(fmt::format(
+        "a path would have {:.3g} collisions on average, did nothing absorb",
+        mm * reference::expected_collisions(model.mesh, picture.medium, picture.boundary)));
+    const auto recipe = recipe_of(options, subject, model);
+    auto film = film_to_go_on_with(options, subject, recipe);
+    reference::Outcome outcome;
+    {
+        ProgressBar bar("following light", !options.voice.quiet);
+        outcome = value_or_stop(reference::render(
+            picture, film, options.rule, {},
+            [&](const reference::Progress& progress) { bar.update(progress.fraction); }));
+    }
+    value_or_stop(stimuli::write_reference(options.out, {film, recipe}));
+    report(options, film, outcome);
+}
+
+void add_picture_options(CLI::App& command, const std::shared_ptr<Options>& options) {
+    command.add_option("MODEL|STUDY", options->subject,
+                       "A model file, a model's name or a body; or a study");
+    command.add_option("--scene", options->scene, "Of the study; without it, its first");
+    command.add_option("--variant", options->variant, "Of the study; without it, its first");
+    command.add_option("--material", options->look.material, "Of a model: a measured material")
+        ->check(CLI::IsMember(renderer::measured_names()))
+        ->capture_default_str();
+    command.add_option("--diameter-mm", options->look.diameter_mm, "Of a model's bounding sphere")
+        ->check(CLI::Range(1e-6, 1e6))
+        ->capture_default_str();
+    command.add_option("--turn-degrees", options->look.turn_degrees, "Of a model");
+    command.add_option("--up", options->look.up, "Of a model");
+    command.add_option("--to-light", options->to_light,
+                       "For a model: toward the light, x right, y up, z toward the viewer");
+    command.add_option("--size", options->size, "For a model: pixels along an edge")
+        ->check(CLI::Range(8, 8192))
+        ->capture_default_str();
+    command.add_option("--boundary", options->boundary, "What the surface does to light")
+        ->check(CLI::IsMember({"matched", "smooth", "rough"}))
+        ->capture_default_str();
+    command.add_option("--roughness", options->roughness, "GGX alpha of a rough boundary")
+        ->capture_default_str();
+    command
+        .add_option("--anisotropy", options->anisotropy, "Henyey-Greenstein's g, at one sigma_s'")
+        ->check(CLI::Range(-0.999, 0.999))
+        ->capture_default_str();
+    command
+        .add_option("--sun-degrees", options->sun_degrees,
+                    "Half-angle of the light; 0: all from one direction")
+        ->check(CLI::Range(0.0, 90.0))
+        ->capture_default_str();
+}
+
+} // namespace
+
+void add_reference(CLI::App& program) {
+    const auto options = std::make_shared<Options>();
+    auto* command = program.add_subcommand(
+        "reference", "A picture by following light, as linear EXR with its error; or one number");
+    add_picture_options(*command, options);
+    command
+        ->add_option("--relative-error", options->rule.relative,
+                     "95 % half-width of a pixel over its light that is good enough")
+        ->check(CLI::Range(1e-5, 1.0))
+        ->capture_default_str();
+    command
+        ->add_option("--seconds", options->seconds,
+                     "Stop after so long with the best picture so far")
+        ->check(CLI::Range(0.0, 1e9));
+    command->add_option("--seed", options->seed, "Seed of the random numbers")
+        ->capture_default_str();
+    command->add_option("--out", options->out,
+                        "The EXR file; one of the same picture is gone on with");
+    add_voice(*command, options->voice);
+    command->require_subcommand(0, 1);
+    add_reference_energy(*command);
+    command->callback([options, command] {
+        if (command->get_subcommands().empty())
+            run(*options);
+    });
+}
+
+} // namespace experiment::commands

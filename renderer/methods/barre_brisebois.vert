@@ -1,0 +1,9 @@
+// The baked thickness.
+
+layout(location = 2) in float d; // mm
+out float thickness;
+
+void main() {
+    place_vertex();
+    thickness = d;
+}

@@ -1,0 +1,132 @@
+// Bodies that need no mesh: transport can be tested apart from tracing.
+#include "renderer/contract.h"
+#include "renderer/reference/body.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace renderer::reference {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// In units of the mean free path or the radius, which is what these bodies are measured in: nearer
+// to the surface than this, a point is on it.
+constexpr double touching = 1e-10;
+
+/// For bodies that a ray is inside of once at most.
+class ConvexTracer : public BodyTracer {
+  public:
+    std::span<const Stretch> along(glm::dvec3 point, glm::dvec3 direction) final {
+        const auto [begin, end] = meet(point, direction);
+        stretch_ = {begin < touching ? 0.0 : begin, end};
+        const bool leaves_at_once = end < touching;
+        return {&stretch_, leaves_at_once || begin >= end ? 0u : 1u};
+    }
+
+    bool is_clear(glm::dvec3 point, glm::dvec3 direction, double length) final {
+        const auto [begin, end] = meet(point, direction);
+        return begin < touching && length < end;
+    }
+
+  protected:
+    /// Where the line is inside; begin > end when nowhere.
+    virtual Stretch meet(glm::dvec3 point, glm::dvec3 direction) const = 0;
+
+  private:
+    Stretch stretch_;
+};
+
+class SlabTracer final : public ConvexTracer {
+  public:
+    explicit SlabTracer(double thickness) : thickness_(thickness) {}
+
+    std::optional<glm::dvec3>
+    normal(glm::dvec3 point, glm::dvec3 direction, double distance) override {
+        const double z = point.z + distance * direction.z;
+        return glm::dvec3(0, 0, 2 * z > -thickness_ ? 1 : -1);
+    }
+
+    double clearance(glm::dvec3 point) override {
+        return std::max(0.0, std::min(-point.z, thickness_ + point.z));
+    }
+
+  protected:
+    Stretch meet(glm::dvec3 point, glm::dvec3 direction) const override {
+        const double z = std::abs(point.z) < touching ? 0 : point.z;
+        if (direction.z == 0)
+            return z <= 0 && z >= -thickness_ ? Stretch{0, infinity} : Stretch{1, 0};
+        const double top = -z / direction.z;
+        const double bottom = (-thickness_ - z) / direction.z;
+        return {std::min(top, bottom), std::max(top, bottom)};
+    }
+
+  private:
+    double thickness_;
+};
+
+class SphereTracer final : public ConvexTracer {
+  public:
+    explicit SphereTracer(double radius) : radius_(radius) {}
+
+    std::optional<glm::dvec3>
+    normal(glm::dvec3 point, glm::dvec3 direction, double distance) override {
+        return glm::normalize(point + distance * direction);
+    }
+
+    double clearance(glm::dvec3 point) override {
+        return std::max(0.0, radius_ - glm::length(point));
+    }
+
+  protected:
+    Stretch meet(glm::dvec3 point, glm::dvec3 direction) const override {
+        const double b = glm::dot(point, direction);
+        const glm::dvec3 nearest = point - b * direction;
+        const double square = radius_ * radius_ - glm::dot(nearest, nearest);
+        if (square <= 0)
+            return {1, 0};
+        const double half = std::sqrt(square);
+        return {-b - half, -b + half};
+    }
+
+  private:
+    double radius_;
+};
+
+template <class Tracer>
+class AnalyticBody final : public Body {
+  public:
+    explicit AnalyticBody(double size) : size_(size) {}
+
+    std::unique_ptr<BodyTracer> tracer() const override { return std::make_unique<Tracer>(size_); }
+
+    double offset() const override { return 0; }
+
+  private:
+    double size_;
+};
+
+} // namespace
+
+double interior_length(BodyTracer& tracer, glm::dvec3 point, glm::dvec3 direction) {
+    double length = 0;
+    for (const auto& [begin, end] : tracer.along(point, direction))
+        length += end - begin;
+    return length;
+}
+
+std::unique_ptr<Body> make_slab(double thickness) {
+    EXPECTS(thickness > 0);
+    return std::make_unique<AnalyticBody<SlabTracer>>(thickness);
+}
+
+std::unique_ptr<Body> make_sphere(double radius) {
+    EXPECTS(radius > 0);
+    return std::make_unique<AnalyticBody<SphereTracer>>(radius);
+}
+
+} // namespace renderer::reference

@@ -1,0 +1,65 @@
+// What a walk asks of the body it is in: where a ray is inside, and which way the surface faces.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace renderer::reference {
+
+/// A stretch of a ray inside the material: distances from the origin, begin < end, which may be
+/// infinite.
+struct Stretch {
+    double begin = 0; ///< exactly 0 when the ray starts inside
+    double end = 0;
+};
+
+/// Asks one body about rays, one at a time; every thread has its own.  Answers depend on the
+/// question alone.  Points and lengths are in the body's units, directions are unit vectors.
+class BodyTracer {
+  public:
+    virtual ~BodyTracer() = default;
+
+    /// Every stretch inside the material ahead, nearest first.  Valid until the next question.
+    virtual std::span<const Stretch> along(glm::dvec3 point, glm::dvec3 direction) = 0;
+
+    /// Whether the next `length` of the ray surely do not meet the surface; false says nothing.
+    virtual bool is_clear(glm::dvec3 point, glm::dvec3 direction, double length) = 0;
+
+    /// The unit outward normal where the ray meets the surface at `distance`, which `along` gave.
+    /// Nothing when it cannot be found again (a leak).
+    virtual std::optional<glm::dvec3>
+    normal(glm::dvec3 point, glm::dvec3 direction, double distance) = 0;
+
+    /// No less than 0 and no more than the distance of `point`, inside, from the surface.
+    virtual double clearance(glm::dvec3 point) = 0;
+};
+
+/// A closed body; immutable, may be shared by threads.
+class Body {
+  public:
+    virtual ~Body() = default;
+
+    /// The body must outlive the tracer.
+    virtual std::unique_ptr<BodyTracer> tracer() const = 0;
+
+    /// How far a new ray starts from the surface it has just met, along the normal: what keeps it
+    /// on its side.  0 where arithmetic is exact enough.
+    virtual double offset() const = 0;
+};
+
+/// The length of the ray inside the material.
+double interior_length(BodyTracer& tracer, glm::dvec3 point, glm::dvec3 direction);
+
+/// Between the planes z = 0 and z = -thickness; infinitely wide.  `thickness` may be infinite: a
+/// half-space.
+std::unique_ptr<Body> make_slab(double thickness);
+
+/// Around the origin.
+std::unique_ptr<Body> make_sphere(double radius);
+
+} // namespace renderer::reference

@@ -1,0 +1,31 @@
+// How far from the surface one surely is: what spares a walk most of its rays.
+#pragma once
+
+#include "renderer/geometry/ray_scene.h"
+
+#include <glm/vec3.hpp>
+
+#include <vector>
+
+namespace renderer::reference {
+
+/// A grid of lower bounds on the distance to the nearest triangle, in scene coordinates.
+class Clearance {
+  public:
+    /// `cells` along an edge of the scene's bounding cube, 1..256; memory is 4 bytes for each cell.
+    explicit Clearance(const geometry::RayScene& scene, int cells = 64);
+
+    /// Scene units; 0 near the surface, and outside the grid.
+    float at(glm::vec3 point) const;
+
+  private:
+    std::size_t index(int x, int y, int z) const;
+    int cell_of(float coordinate) const;
+    void occupy(glm::vec3 a, glm::vec3 b, glm::vec3 c);
+    void spread();
+
+    int cells_;
+    std::vector<float> bounds_; // while it is built: squared, in cells
+};
+
+} // namespace renderer::reference

@@ -1,0 +1,162 @@
+// Connections weighed against turns, in closed form per light.
+#include "renderer/reference/light_collector.h"
+
+#include "renderer/reference/phase.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace renderer::reference {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A direction into a disc may be found by asking for the sun or by turning: each counts in
+/// proportion to how likely it was to find it.  [Veach1995]
+double share_of_connection(double disc, double turn_density) {
+    return 1 / (1 + turn_density * disc);
+}
+
+double share_of_turn(double disc, double turn_density) {
+    return turn_density == 0 ? 1 : turn_density * disc / (1 + turn_density * disc);
+}
+
+} // namespace
+
+template <std::size_t N>
+LightCollector<N>::LightCollector(const LitBody& lit, BodyTracer& tracer, double light_threshold)
+    : medium_(lit.medium), illumination_(lit.illumination),
+      kind_(lit.medium.index == 1 ? BoundaryKind::Matched : lit.boundary.kind), tracer_(tracer),
+      offset_(lit.offset), threshold_(light_threshold) {
+    for (const auto& sun : lit.illumination.suns) {
+        Disc disc{sun, solid_angle(sun), {}, sun.irradiance};
+        // The irradiance of a facing surface is radiance times pi sin^2: a little less than the
+        // disc's solid angle.
+        const double sine = std::sin(sun.half_angle.value);
+        for (std::size_t k = 0; k < 3 && disc.solid_angle > 0; ++k) {
+            disc.radiance[k] = sun.irradiance[k] / (std::numbers::pi * sine * sine);
+            disc.power[k] = disc.radiance[k] * disc.solid_angle;
+        }
+        discs_.push_back(disc);
+    }
+}
+
+template <std::size_t N>
+Spectrum<3> LightCollector<N>::taken() {
+    const auto all = light_;
+    light_ = {};
+    return all;
+}
+
+template <std::size_t N>
+void LightCollector<N>::collided(const Path<N>& path, const Spectrum<N>&, PathRandom& random) {
+    if (kind_ != BoundaryKind::Matched || (discs_.empty() && illumination_.lamps.empty()))
+        return;
+    const double worth = light_worth(path);
+    const double asking = worth >= threshold_ ? 1 : worth / threshold_;
+    if (asking <= 0 || (asking < 1 && random.next() >= asking))
+        return;
+    connect(path.position, random, [&](const Connection& to) {
+        const auto length = length_inside(path.position, to);
+        if (!length)
+            return;
+        const double turned =
+            henyey_greenstein(glm::dot(path.direction, to.direction), medium_.anisotropy);
+        Spectrum<N> weight;
+        for (std::size_t k = 0; k < N; ++k)
+            weight[k] =
+                path.weight[k] * turned / asking * std::exp(-extinction(medium_, k) * *length);
+        collect(weight, to.power, share_of_connection(to.disc, turned));
+    });
+}
+
+template <std::size_t N>
+void LightCollector<N>::met_surface(const Path<N>& path,
+                                    const RoughSurface& surface,
+                                    PathRandom& random) {
+    const glm::dvec3 outward = path.is_inside ? -surface.normal : surface.normal;
+    const glm::dvec3 from = path.position + offset_ * outward;
+    connect(from, random, [&](const Connection& to) {
+        if (glm::dot(to.direction, outward) <= 0)
+            return;
+        const double value = rough_value(surface, -path.direction, to.direction);
+        if (value <= 0 || length_inside(from, to).value_or(1) > 0)
+            return;
+        Spectrum<N> weight = path.weight;
+        for (auto& w : weight)
+            w *= value;
+        collect(
+            weight, to.power,
+            share_of_connection(to.disc, rough_density(surface, -path.direction, to.direction)));
+    });
+}
+
+template <std::size_t N>
+void LightCollector<N>::escaped(const Path<N>& path) {
+    collect(path.weight, illumination_.sky, 1);
+    for (const auto& disc : discs_)
+        if (is_toward(disc.sun, path.direction))
+            collect(path.weight, disc.radiance, share_of_turn(disc.solid_angle, path.turn_density));
+}
+
+/// What a connection could add at most: weight times what the nearest surface lets through.
+template <std::size_t N>
+double LightCollector<N>::light_worth(const Path<N>& path) const {
+    const double clearance = tracer_.clearance(path.position);
+    double worth = 0;
+    for (std::size_t k = 0; k < N; ++k)
+        worth = std::max(worth, path.weight[k] * std::exp(-extinction(medium_, k) * clearance));
+    return worth;
+}
+
+/// Tells `use` of one way to every light.
+template <std::size_t N>
+template <class Use>
+void LightCollector<N>::connect(glm::dvec3 from, PathRandom& random, Use&& use) {
+    for (const auto& disc : discs_) {
+        glm::dvec3 direction = disc.sun.to_light;
+        if (disc.solid_angle > 0) {
+            const double u = random.next();
+            direction = sample(disc.sun, u, random.next());
+        }
+        use(Connection{direction, infinity, disc.power, disc.solid_angle});
+    }
+    for (const auto& lamp : illumination_.lamps) {
+        const glm::dvec3 way = lamp.position - from;
+        const double distance = glm::length(way);
+        if (distance == 0)
+            continue;
+        const double falloff = lamp.reference * lamp.reference / (distance * distance);
+        use(Connection{way / distance,
+                       distance,
+                       {falloff * lamp.irradiance[0], falloff * lamp.irradiance[1],
+                        falloff * lamp.irradiance[2]},
+                       0});
+    }
+}
+
+/// The length inside on the way; nothing when it has no end.
+template <std::size_t N>
+std::optional<double> LightCollector<N>::length_inside(glm::dvec3 from, const Connection& to) {
+    double length = 0;
+    for (const auto& [begin, end] : tracer_.along(from, to.direction))
+        if (begin < to.distance)
+            length += std::min(end, to.distance) - begin;
+    return std::isinf(length) ? std::nullopt : std::optional(length);
+}
+
+template <std::size_t N>
+void LightCollector<N>::collect(const Spectrum<N>& weight, const Spectrum<3>& light, double share) {
+    for (std::size_t k = 0; k < 3; ++k)
+        light_[k] += share * weight[N == 1 ? 0 : k] * light[k];
+}
+
+template class LightCollector<1>;
+template class LightCollector<3>;
+
+} // namespace renderer::reference

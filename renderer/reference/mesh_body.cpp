@@ -1,0 +1,98 @@
+// Rays by renderer/geometry, and the grid that spares them.
+#include "renderer/reference/mesh_body.h"
+
+#include "renderer/geometry/crossings.h"
+#include "renderer/geometry/ray_scene.h"
+#include "renderer/reference/clearance.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace renderer::reference {
+
+namespace {
+
+// Scene units are diameters: crossings nearer than 1e-6 to an origin are not seen, so a new ray
+// starts twice as far from the surface it has met.
+constexpr double surface_offset = 2e-6;
+
+constexpr float nearest = 1e-6f;
+
+// Where `along` found a crossing, a second ray finds it again within its rounding, or that of a
+// ray jittered by 1e-5.
+constexpr float slack = 2e-5f;
+
+class MeshTracer final : public BodyTracer {
+  public:
+    MeshTracer(const geometry::RayScene& scene, const Clearance& clearance)
+        : scene_(scene), clearance_(clearance), tracer_(scene) {}
+
+    std::span<const Stretch> along(glm::dvec3 point, glm::dvec3 direction) override {
+        stretches_.clear();
+        for (const auto& [begin, end] : tracer_.from_point(point, direction))
+            stretches_.push_back({begin, end});
+        return stretches_;
+    }
+
+    bool is_clear(glm::dvec3 point, glm::dvec3 direction, double length) override {
+        const glm::vec3 origin = scene_from(point);
+        const auto far = static_cast<float>(length / scene_.model_per_scene());
+        return far < clearance_.at(origin) || !scene_.meets(origin, glm::vec3(direction), 0, far);
+    }
+
+    std::optional<glm::dvec3>
+    normal(glm::dvec3 point, glm::dvec3 direction, double distance) override {
+        const auto at = static_cast<float>(distance / scene_.model_per_scene());
+        const glm::vec3 origin = scene_from(point), along(direction);
+        auto hit = scene_.first_hit(origin, along, std::max(0.0f, at - slack), at + slack);
+        if (!hit) // a grazing ray, asked again beside: its place moved by more
+            hit = scene_.first_hit(origin, along, nearest, std::numeric_limits<float>::infinity());
+        if (!hit)
+            return std::nullopt;
+        const auto& [a, b, c] = scene_.triangles()[hit->triangle];
+        const auto& positions = scene_.positions();
+        const glm::dvec3 p(positions[a]), q(positions[b]), r(positions[c]);
+        const glm::dvec3 n = glm::cross(q - p, r - p);
+        const double length = glm::length(n);
+        return length > 0 ? std::optional(n / length) : std::nullopt;
+    }
+
+    double clearance(glm::dvec3 point) override {
+        return scene_.model_per_scene() * static_cast<double>(clearance_.at(scene_from(point)));
+    }
+
+  private:
+    glm::vec3 scene_from(glm::dvec3 point) const {
+        return glm::vec3(scene_.scene_from_model(point));
+    }
+
+    const geometry::RayScene& scene_;
+    const Clearance& clearance_;
+    geometry::InteriorTracer tracer_;
+    std::vector<Stretch> stretches_;
+};
+
+class MeshBody final : public Body {
+  public:
+    explicit MeshBody(const geometry::Mesh& mesh) : scene_(mesh), clearance_(scene_) {}
+
+    std::unique_ptr<BodyTracer> tracer() const override {
+        return std::make_unique<MeshTracer>(scene_, clearance_);
+    }
+
+    double offset() const override { return surface_offset * scene_.model_per_scene(); }
+
+  private:
+    geometry::RayScene scene_;
+    Clearance clearance_;
+};
+
+} // namespace
+
+std::unique_ptr<Body> make_mesh_body(const geometry::Mesh& mesh) {
+    return std::make_unique<MeshBody>(mesh);
+}
+
+} // namespace renderer::reference

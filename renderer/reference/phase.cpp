@@ -1,0 +1,44 @@
+// Henyey-Greenstein and its inversion.
+#include "renderer/reference/phase.h"
+
+#include "renderer/contract.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace renderer::reference {
+
+double henyey_greenstein(double cosine, double g) {
+    EXPECTS(std::abs(g) <= 0.999);
+    const double square = 1 + g * g - 2 * g * cosine;
+    return (1 - g * g) / (4 * std::numbers::pi * square * std::sqrt(square));
+}
+
+double sample_henyey_greenstein(double u, double g) {
+    EXPECTS(std::abs(g) <= 0.999);
+    const double s = 2 * u - 1;
+    double cosine = 0;
+    if (std::abs(g) < 0.5) {
+        const double below = 1 + g * s;
+        cosine = (2 * s + g * (3 + s * s) + 2 * g * g * s + g * g * g * (s * s - 1)) /
+                 (2 * below * below);
+    } else {
+        const double quotient = (1 - g * g) / (1 + g * s);
+        cosine = (1 + g * g - quotient * quotient) / (2 * g);
+    }
+    return std::clamp(cosine, -1.0, 1.0);
+}
+
+glm::dvec3 around(glm::dvec3 axis, double cosine, double turn) {
+    // Two perpendiculars without a case distinction that loses digits.  [Duff2017]
+    const double sign = std::copysign(1.0, axis.z);
+    const double a = -1 / (sign + axis.z), b = axis.x * axis.y * a;
+    const glm::dvec3 u(1 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x);
+    const glm::dvec3 v(b, sign + axis.y * axis.y * a, -axis.y);
+    const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+    const double angle = 2 * std::numbers::pi * turn;
+    return cosine * axis + sine * (std::cos(angle) * u + std::sin(angle) * v);
+}
+
+} // namespace renderer::reference

@@ -1,0 +1,125 @@
+// Philox, Sobol' and Owen's scrambling by hashes.
+#include "renderer/reference/random.h"
+
+#include "renderer/contract.h"
+
+namespace renderer::reference {
+
+namespace {
+
+constexpr double unit = 0x1p-32;
+
+// Keeps the scrambles' counters apart from those of the independent numbers, whose block number
+// stays below.
+constexpr std::uint32_t scramble_blocks = 0x80000000u;
+
+constexpr std::uint32_t reversed(std::uint32_t x) {
+    x = (x >> 16) | (x << 16);
+    x = ((x & 0x00ff00ffu) << 8) | ((x & 0xff00ff00u) >> 8);
+    x = ((x & 0x0f0f0f0fu) << 4) | ((x & 0xf0f0f0f0u) >> 4);
+    x = ((x & 0x33333333u) << 2) | ((x & 0xccccccccu) >> 2);
+    return ((x & 0x55555555u) << 1) | ((x & 0xaaaaaaaau) >> 1);
+}
+
+// Flips every bit by a hash of the bits above it: Owen's scramble.  [Burley2020, section 4]
+constexpr std::uint32_t owen(std::uint32_t x, std::uint32_t seed) {
+    x = reversed(x);
+    x ^= x * 0x3d20adeau;
+    x += seed;
+    x *= (seed >> 16) | 1u;
+    x ^= x * 0x05526c56u;
+    x ^= x * 0x53a22864u;
+    return reversed(x);
+}
+
+using Directions = std::array<std::array<std::uint32_t, 16>, 4>;
+
+/// Direction numbers, of 16 bits' worth of points.
+constexpr Directions sobol_directions() {
+    struct Polynomial {
+        unsigned degree, coefficients;
+        std::array<std::uint32_t, 3> first;
+    };
+
+    constexpr std::array<Polynomial, 3> polynomials{
+        {{1, 0, {1, 0, 0}}, {2, 1, {1, 3, 0}}, {3, 1, {1, 3, 1}}}};
+    Directions v{};
+    for (unsigned i = 0; i < 16; ++i)
+        v[0][i] = 1u << (31 - i);
+    for (unsigned d = 1; d < 4; ++d) {
+        const auto& [degree, coefficients, first] = polynomials[d - 1];
+        for (unsigned i = 0; i < 16; ++i) {
+            if (i < degree) {
+                v[d][i] = first[i] << (31 - i);
+                continue;
+            }
+            v[d][i] = v[d][i - degree] ^ (v[d][i - degree] >> degree);
+            for (unsigned k = 1; k < degree; ++k)
+                if ((coefficients >> (degree - 1 - k)) & 1u)
+                    v[d][i] ^= v[d][i - k];
+        }
+    }
+    return v;
+}
+
+constexpr Directions directions = sobol_directions();
+
+} // namespace
+
+Words philox(Words counter, std::uint64_t key) {
+    auto k0 = static_cast<std::uint32_t>(key), k1 = static_cast<std::uint32_t>(key >> 32);
+    for (int round = 0; round < 10; ++round) {
+        const std::uint64_t p0 = 0xD2511F53ull * counter[0], p1 = 0xCD9E8D57ull * counter[2];
+        counter = {
+            static_cast<std::uint32_t>(p1 >> 32) ^ counter[1] ^ k0, static_cast<std::uint32_t>(p1),
+            static_cast<std::uint32_t>(p0 >> 32) ^ counter[3] ^ k1, static_cast<std::uint32_t>(p0)};
+        k0 += 0x9E3779B9u;
+        k1 += 0xBB67AE85u;
+    }
+    return counter;
+}
+
+std::array<double, 4>
+scrambled_sobol(std::uint32_t index, int log2_count, const Words& scrambles, std::uint32_t order) {
+    EXPECTS(log2_count >= 0 && log2_count <= 16);
+    EXPECTS(index < (1u << log2_count));
+    const auto bits = static_cast<unsigned>(log2_count);
+    const std::uint32_t shuffled = bits == 0 ? 0 : owen(index << (32 - bits), order) >> (32 - bits);
+    std::array<double, 4> point{};
+    for (unsigned d = 0; d < 4; ++d) {
+        std::uint32_t x = 0;
+        for (unsigned i = 0; i < bits; ++i)
+            if ((shuffled >> i) & 1u)
+                x ^= directions[d][i];
+        point[d] = unit * owen(x, scrambles[d]);
+    }
+    return point;
+}
+
+PathRandom::PathRandom(const Name& name) : name_(name) {
+    EXPECTS(name.log2_batch >= 0 && name.log2_batch <= 16);
+    EXPECTS(name.sample < (1u << name.log2_batch));
+}
+
+double PathRandom::next() {
+    if (drawn_ % 4 == 0)
+        refill();
+    return numbers_[drawn_++ % 4];
+}
+
+void PathRandom::refill() {
+    const std::uint32_t block = drawn_ / 4;
+    if (drawn_ < stratified_numbers && name_.log2_batch > 0) {
+        const Words scrambles =
+            philox({name_.pixel, name_.batch, 0, scramble_blocks + block}, name_.seed);
+        const std::uint32_t order =
+            philox({name_.pixel, name_.batch, 1, scramble_blocks + block}, name_.seed)[0];
+        numbers_ = scrambled_sobol(name_.sample, name_.log2_batch, scrambles, order);
+        return;
+    }
+    const Words words = philox({name_.pixel, name_.batch, name_.sample, block}, name_.seed);
+    for (unsigned i = 0; i < 4; ++i)
+        numbers_[i] = unit * words[i];
+}
+
+} // namespace renderer::reference

@@ -1,0 +1,57 @@
+// Random numbers by counting: the n-th number of a path is a function of (seed, pixel, batch,
+// sample, n) alone, so that a picture is the same for any order of its pixels and any number of
+// threads.
+//
+// A path's first numbers are stratified over the samples of its batch, where that pays (pixel,
+// first flight, first turn); the rest are independent.  Batches are independent of each other, so
+// that the spread of their means is an honest standard error.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace renderer::reference {
+
+using Words = std::array<std::uint32_t, 4>;
+
+/// Philox-4x32 with ten rounds: 128 random bits for a 128-bit counter and a 64-bit key.
+/// Source: [Salmon2011]; checked against that paper's known answers.
+Words philox(Words counter, std::uint64_t key);
+
+/// The first four dimensions of Sobol's sequence, [0, 1), each with its own Owen scramble, and its
+/// points in an order of their own: point `index` of the 2^log2_count there are.
+/// The points stratify every dimension into 2^log2_count cells, and the first two dimensions
+/// jointly into every elementary rectangle of that area.
+/// Source: [Joe2008] direction numbers, [Burley2020] scrambling by hashes.
+std::array<double, 4>
+scrambled_sobol(std::uint32_t index, int log2_count, const Words& scrambles, std::uint32_t order);
+
+/// The numbers of one path, in order.
+class PathRandom {
+  public:
+    /// Which path.  Samples are numbered 0..2^log2_batch - 1 within their batch (log2_batch 0..16).
+    struct Name {
+        std::uint64_t seed = 0;
+        std::uint32_t pixel = 0;
+        std::uint32_t batch = 0;
+        std::uint32_t sample = 0;
+        int log2_batch = 0;
+    };
+
+    /// So many numbers are stratified over a batch.
+    static constexpr std::uint32_t stratified_numbers = 12;
+
+    explicit PathRandom(const Name& name);
+
+    /// The next number, uniform in [0, 1): at most 1 - 2^-32.
+    double next();
+
+  private:
+    void refill();
+
+    Name name_;
+    std::uint32_t drawn_ = 0;
+    std::array<double, 4> numbers_{};
+};
+
+} // namespace renderer::reference

@@ -1,0 +1,420 @@
+// The walk.
+#include "renderer/reference/walk.h"
+
+#include "renderer/contract.h"
+#include "renderer/reference/guiding.h"
+#include "renderer/reference/phase.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace renderer::reference {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Below this optical thickness a flight through it is even to rounding.
+constexpr double thin = 1e-12;
+
+/// exp(-sigma length), 1 where nothing is in the way, however long.
+double transmittance(double sigma, double length) {
+    return sigma == 0 ? 1 : std::exp(-sigma * length);
+}
+
+double covered_by(std::span<const Stretch> stretches) {
+    double length = 0;
+    for (const auto& [begin, end] : stretches)
+        length += end - begin;
+    return length;
+}
+
+/// The distance from the ray's origin at which `length` of the stretches has been covered.
+double along_stretches(std::span<const Stretch> stretches, double length) {
+    for (const auto& [begin, end] : stretches) {
+        if (length <= end - begin)
+            return begin + length;
+        length -= end - begin;
+    }
+    return stretches.back().end; // by rounding
+}
+
+/// Divides the ratios' mean out of weights and ratios; returns what both were multiplied by.
+template <std::size_t N>
+double balance(Path<N>& path) {
+    double sum = 0;
+    for (const double ratio : path.ratio)
+        sum += ratio;
+    const double factor = static_cast<double>(N) / sum;
+    for (std::size_t k = 0; k < N; ++k) {
+        path.weight[k] *= factor;
+        path.ratio[k] *= factor;
+    }
+    return factor;
+}
+
+/// Multiplies the weight of each channel by f_k / p_h, its ratio by p_k / p_h.  Returns the weight
+/// it would have for `other` instead of `f`.
+template <std::size_t N>
+Spectrum<N>
+advance(Path<N>& path, const Spectrum<N>& f, const Spectrum<N>& p, const Spectrum<N>& other) {
+    const double p_h = p[path.hero];
+    Spectrum<N> otherwise;
+    for (std::size_t k = 0; k < N; ++k) {
+        otherwise[k] = path.weight[k] * other[k] / p_h;
+        path.weight[k] *= f[k] / p_h;
+        path.ratio[k] *= p[k] / p_h;
+    }
+    const double factor = balance(path);
+    for (auto& weight : otherwise)
+        weight *= factor;
+    return otherwise;
+}
+
+} // namespace
+
+template <std::size_t N>
+Walk<N>::Walk(const Medium& medium,
+              const Boundary& boundary,
+              const Body& body,
+              BodyTracer& tracer,
+              WalkEvents<N>& events,
+              const WalkTactics& tactics)
+    : medium_(medium), boundary_(boundary), tracer_(tracer), events_(events), tactics_(tactics),
+      offset_(body.offset()), index_(boundary.kind == BoundaryKind::Matched ? 1 : medium.index) {
+    EXPECTS(N == 3 || is_grey(medium));
+    EXPECTS(medium.index > 0);
+    EXPECTS(std::abs(medium.anisotropy) <= 0.999);
+    for (std::size_t k = 0; k < N; ++k) {
+        EXPECTS(medium.sigma_a[k] >= 0 && medium.sigma_s[k] >= 0);
+        sigma_a_[k] = medium.sigma_a[k];
+        sigma_s_[k] = medium.sigma_s[k];
+        sigma_t_[k] = extinction(medium, k);
+        // At the ends of its range the guide is no density: there it keeps just inside.
+        rate_[k] =
+            sigma_t_[k] > 0 ? std::clamp(decay_rate(sigma_s_[k] / sigma_t_[k]), 0.01, 0.99) : 0.01;
+    }
+    EXPECTS(tactics.guided_share >= 0 && tactics.guided_share < 1);
+    if (index_ == 1) // a polished or rough surface between equal indices is none
+        boundary_.kind = BoundaryKind::Matched;
+}
+
+template <std::size_t N>
+void Walk<N>::follow(Path<N> path, PathRandom& random) {
+    if constexpr (N > 1)
+        path.hero = std::min(N - 1, static_cast<std::size_t>(random.next() * N));
+    const bool is_matched = boundary_.kind == BoundaryKind::Matched;
+    Fate fate = Fate::Goes;
+    if (is_matched && tactics_.force_first && !path.is_inside)
+        fate = force_collision(path, random);
+    while (fate == Fate::Goes) {
+        if (is_matched)
+            fate = fly_straight(path, random);
+        else
+            fate = path.is_inside ? fly_bounded(path, random) : approach(path, random);
+    }
+}
+
+template <std::size_t N>
+double Walk<N>::flight(const Path<N>& path, PathRandom& random) const {
+    double sigma = sigma_t_[path.hero];
+    if (path.turn.is_guided)
+        sigma *= guided_stretch(path.turn.cosine, rate_[path.hero]);
+    const double depth = -std::log1p(-random.next());
+    return sigma == 0 ? infinity : depth / sigma;
+}
+
+/// Matched: a line may leave the body and come back in; only what it covers inside counts.
+template <std::size_t N>
+typename Walk<N>::Fate Walk<N>::fly_straight(Path<N>& path, PathRandom& random) {
+    const double length = flight(path, random);
+    if (path.is_inside && !tactics_.expect_escape &&
+        tracer_.is_clear(path.position, path.direction, length)) {
+        path.position += length * path.direction;
+        return collide(path, length, random);
+    }
+    const auto stretches = tracer_.along(path.position, path.direction);
+    if (tactics_.expect_escape)
+        score_escape(path, covered_by(stretches));
+    const bool is_outside = stretches.empty() || stretches.front().begin > 0;
+    if (path.is_inside && is_outside && is_deep(path)) {
+        events_.leaked();
+        return Fate::Ends;
+    }
+    double covered = 0;
+    for (const auto& [begin, end] : stretches) {
+        if (length < covered + (end - begin)) {
+            path.position += (begin + (length - covered)) * path.direction;
+            path.is_inside = true;
+            return collide(path, length, random);
+        }
+        covered += end - begin;
+    }
+    if (std::isinf(covered)) // for ever on, through a half-space
+        return Fate::Ends;
+    if (tactics_.expect_escape)
+        return Fate::Ends;
+    pass(path, covered);
+    path.is_inside = false;
+    events_.escaped(path);
+    return Fate::Ends;
+}
+
+/// The part of the path that covers `length` without colliding, and is out.
+template <std::size_t N>
+void Walk<N>::score_escape(Path<N> path, double length) const {
+    if (std::isinf(length))
+        return;
+    Spectrum<N> passing, density;
+    for (std::size_t k = 0; k < N; ++k) {
+        passing[k] = transmittance(sigma_t_[k], length);
+        density[k] = 1;
+        if (path.turn.is_drawn) { // the direction alone was drawn
+            passing[k] *= path.turn.scattered;
+            density[k] = (1 - tactics_.guided_share) * path.turn.scattered +
+                         tactics_.guided_share * guided_density(path.turn.cosine, rate_[k]);
+        }
+    }
+    advance(path, passing, density, {});
+    path.is_inside = false;
+    events_.escaped(path);
+}
+
+/// Matched, from outside: what passes unscattered is known exactly; the rest collides inside.
+template <std::size_t N>
+typename Walk<N>::Fate Walk<N>::force_collision(Path<N>& path, PathRandom& random) {
+    const auto stretches = tracer_.along(path.position, path.direction);
+    const double whole = covered_by(stretches);
+    score_escape(path, whole);
+    if (whole == 0)
+        return Fate::Ends;
+
+    Spectrum<N> colliding; // 1 - e^(-sigma whole)
+    for (std::size_t k = 0; k < N; ++k)
+        colliding[k] = sigma_t_[k] == 0 ? 0 : -std::expm1(-sigma_t_[k] * whole);
+    const double u = random.next(), sigma_h = sigma_t_[path.hero];
+    if (sigma_h == 0 && std::isinf(whole))
+        return Fate::Ends;
+    const double length = sigma_h * whole < thin
+                              ? u * whole
+                              : std::min(whole, -std::log1p(-u * colliding[path.hero]) / sigma_h);
+    Spectrum<N> scattered, absorbed, density;
+    for (std::size_t k = 0; k < N; ++k) {
+        const double reaching = transmittance(sigma_t_[k], length);
+        scattered[k] = sigma_s_[k] * reaching;
+        absorbed[k] = sigma_a_[k] * reaching;
+        density[k] = sigma_t_[k] * whole < thin ? 1 / whole : sigma_t_[k] * reaching / colliding[k];
+    }
+    const auto stays = advance(path, scattered, density, absorbed);
+    path.position += along_stretches(stretches, length) * path.direction;
+    path.is_inside = true;
+    return turn(path, stays, random);
+}
+
+template <std::size_t N>
+typename Walk<N>::Fate Walk<N>::fly_bounded(Path<N>& path, PathRandom& random) {
+    const double length = flight(path, random);
+    if (tracer_.is_clear(path.position, path.direction, length)) {
+        path.position += length * path.direction;
+        return collide(path, length, random);
+    }
+    const auto stretches = tracer_.along(path.position, path.direction);
+    if (stretches.empty() || stretches.front().begin > 0) {
+        if (is_deep(path)) {
+            events_.leaked();
+            return Fate::Ends;
+        }
+        path.is_inside = false;
+        return Fate::Goes;
+    }
+    const double end = stretches.front().end;
+    if (length < end) {
+        path.position += length * path.direction;
+        return collide(path, length, random);
+    }
+    if (std::isinf(end))
+        return Fate::Ends;
+    pass(path, end);
+    return cross(path, end, random);
+}
+
+template <std::size_t N>
+typename Walk<N>::Fate Walk<N>::approach(Path<N>& path, PathRandom& random) {
+    const auto stretches = tracer_.along(path.position, path.direction);
+    if (stretches.empty()) {
+        events_.escaped(path);
+        return Fate::Ends;
+    }
+    if (stretches.front().begin == 0 && offset_ > 0) {
+        path.is_inside = true;
+        return Fate::Goes;
+    }
+    return cross(path, stretches.front().begin, random);
+}
+
+/// Within rounding of the surface, at edges above all, a point may be on either side: the path then
+/// goes on from where it is.  Farther in, being outside is a leak.
+template <std::size_t N>
+bool Walk<N>::is_deep(const Path<N>& path) {
+    return tracer_.clearance(path.position) > 4 * offset_;
+}
+
+template <std::size_t N>
+typename Walk<N>::Fate Walk<N>::cross(Path<N>& path, double distance, PathRandom& random) {
+    const auto normal = tracer_.normal(path.position, path.direction, distance);
+    if (!normal) {
+        events_.leaked();
+        return Fate::Ends;
+    }
+    path.position += distance * path.direction;
+    const glm::dvec3 facing = path.is_inside ? -*normal : *normal;
+    const double index = path.is_inside ? 1 / index_ : index_;
+    const bool was_inside = path.is_inside;
+    const Fate fate = boundary_.kind == BoundaryKind::Smooth
+                          ? cross_smooth(path, facing, index, random)
+                          : cross_rough(path, facing, index, random);
+    path.position += (path.is_inside == was_inside ? offset_ : -offset_) * facing;
+    return fate;
+}
+
+template <std::size_t N>
+typename Walk<N>::Fate
+Walk<N>::cross_smooth(Path<N>& path, glm::dvec3 facing, double index, PathRandom& random) {
+    const double reflectance = fresnel(-glm::dot(path.direction, facing), index);
+    const auto behind = refracted(path.direction, facing, index);
+    if (!behind || random.next() < reflectance) {
+        path.direction = reflected(path.direction, facing);
+    } else {
+        path.direction = *behind;
+        path.is_inside = !path.is_inside;
+    }
+    path.turn_density = 0; // nobody connects through a polished surface
+    return Fate::Goes;
+}
+
+template <std::size_t N>
+typename Walk<N>::Fate
+Walk<N>::cross_rough(Path<N>& path, glm::dvec3 facing, double index, PathRandom& random) {
+    const RoughSurface surface{facing, boundary_.roughness, index};
+    while (true) {
+        events_.met_surface(path, surface, random);
+        const double u1 = random.next(), u2 = random.next(), u3 = random.next();
+        const auto scattered = sample_rough(surface, -path.direction, u1, u2, u3);
+        if (scattered && random.next() < scattered->unhidden) {
+            path.turn_density = rough_density(surface, -path.direction, scattered->direction);
+            path.direction = scattered->direction;
+            if (glm::dot(path.direction, facing) < 0)
+                path.is_inside = !path.is_inside;
+            return Fate::Goes;
+        }
+        // Hidden by other facets: it meets the surface again, from anywhere on its side.
+        const double cosine = std::sqrt(1 - random.next());
+        path.direction = -around(facing, cosine, random.next());
+    }
+}
+
+/// The density with which a mixture of scattering and guiding turns into this direction and, in
+/// one channel, collides after `length` or passes it.
+template <std::size_t N>
+double
+Walk<N>::mixed(const Turn& turn, std::size_t channel, double length, bool is_collision) const {
+    const double sigma = sigma_t_[channel];
+    const double stretched = sigma * guided_stretch(turn.cosine, rate_[channel]);
+    const double c = tactics_.guided_share;
+    return (1 - c) * turn.scattered * (is_collision ? sigma : 1) * transmittance(sigma, length) +
+           c * guided_density(turn.cosine, rate_[channel]) * (is_collision ? stretched : 1) *
+               transmittance(stretched, length);
+}
+
+/// The path has covered `length` without colliding.
+template <std::size_t N>
+void Walk<N>::pass(Path<N>& path, double length) const {
+    if (N == 1 && !path.turn.is_drawn) // what one channel loses is just what collided
+        return;
+    Spectrum<N> passing, density;
+    for (std::size_t k = 0; k < N; ++k) {
+        passing[k] = density[k] = transmittance(sigma_t_[k], length);
+        if (path.turn.is_drawn) {
+            passing[k] *= path.turn.scattered;
+            density[k] = mixed(path.turn, k, length, false);
+        }
+    }
+    advance(path, passing, density, {});
+    path.turn = {};
+}
+
+/// The path, already there, has collided after `length`.
+template <std::size_t N>
+typename Walk<N>::Fate Walk<N>::collide(Path<N>& path, double length, PathRandom& random) {
+    Spectrum<N> scattered, absorbed, density;
+    const double sigma_h = sigma_t_[path.hero];
+    for (std::size_t k = 0; k < N; ++k) {
+        // relative to the hero's, so that nothing underflows over long flights
+        double reaching =
+            N == 1 ? 1 / sigma_h : std::exp((sigma_h - sigma_t_[k]) * length) / sigma_h;
+        density[k] = sigma_t_[k] * reaching;
+        if (path.turn.is_drawn) {
+            reaching = path.turn.scattered * transmittance(sigma_t_[k], length);
+            density[k] = mixed(path.turn, k, length, true);
+        }
+        scattered[k] = sigma_s_[k] * reaching;
+        absorbed[k] = sigma_a_[k] * reaching;
+    }
+    const auto stays = advance(path, scattered, density, absorbed);
+    path.turn = {};
+    return turn(path, stays, random);
+}
+
+/// The path has its weight after the collision: who looks on is told, chance decides whether it
+/// goes on and whither.
+template <std::size_t N>
+typename Walk<N>::Fate
+Walk<N>::turn(Path<N>& path, const Spectrum<N>& absorbed, PathRandom& random) {
+    ++path.collisions;
+    events_.collided(path, absorbed, random);
+    const double greatest = *std::ranges::max_element(path.weight);
+    if (!(greatest > 0))
+        return Fate::Ends;
+    if (path.collisions > tactics_.roulette_after && greatest < 1) {
+        const bool survives = random.next() < greatest;
+        Spectrum<N> change;
+        for (std::size_t k = 0; k < N; ++k) {
+            const double after = survives ? path.weight[k] / greatest : 0;
+            change[k] = after - path.weight[k];
+            path.weight[k] = after;
+        }
+        events_.gambled(change);
+        if (!survives)
+            return Fate::Ends;
+    }
+    choose_direction(path, random);
+    return Fate::Goes;
+}
+
+template <std::size_t N>
+void Walk<N>::choose_direction(Path<N>& path, PathRandom& random) const {
+    const double g = medium_.anisotropy;
+    const double u = random.next(), v = random.next();
+    const bool may_guide = tactics_.guided_share > 0 && boundary_.kind == BoundaryKind::Matched;
+    if (!may_guide) {
+        const double cosine = sample_henyey_greenstein(u, g);
+        path.turn_density = henyey_greenstein(cosine, g);
+        path.direction = around(path.direction, cosine, v);
+        return;
+    }
+    const bool is_guided = random.next() < tactics_.guided_share;
+    const glm::dvec3 direction =
+        is_guided ? around(tactics_.guide_axis, sample_guided_cosine(u, rate_[path.hero]), v)
+                  : around(path.direction, sample_henyey_greenstein(u, g), v);
+    path.turn_density = henyey_greenstein(glm::dot(path.direction, direction), g);
+    path.turn = {true, is_guided, path.turn_density, glm::dot(direction, tactics_.guide_axis)};
+    path.direction = direction;
+}
+
+template class Walk<1>;
+template class Walk<3>;
+
+} // namespace renderer::reference

@@ -1,0 +1,134 @@
+// One path of light through a translucent body: flight, collision, turn, and what the surface does.
+//
+// All channels are followed at once.  Distances are drawn for one of them, the hero, chosen once
+// per path; `ratio` keeps how probable the same path would have been under each other hero, and the
+// weight of a channel is divided by the mean of the three: the balance heuristic over whole paths.
+// [Wilkie2014] [Miller2019]  Weights then never exceed three times those of a walk in one colour.
+#pragma once
+
+#include "renderer/reference/body.h"
+#include "renderer/reference/boundary.h"
+#include "renderer/reference/medium.h"
+#include "renderer/reference/microfacets.h"
+#include "renderer/reference/random.h"
+
+#include <glm/vec3.hpp>
+
+namespace renderer::reference {
+
+template <std::size_t N>
+constexpr Spectrum<N> all_ones() {
+    Spectrum<N> ones;
+    ones.fill(1);
+    return ones;
+}
+
+/// How a path's direction was found, until the flight along it has ended and both are weighed.
+struct Turn {
+    bool is_drawn = false;  ///< the direction was drawn from a mixture and is not yet weighed
+    bool is_guided = false; ///< by the guide, not by the medium
+    double scattered = 0;   ///< the medium's density of that direction, per steradian
+    double cosine = 0;      ///< to the guide's axis
+};
+
+/// Where a path is and what it carries.  N channels: three, or one when one says all.
+template <std::size_t N>
+struct Path {
+    glm::dvec3 position{};
+    glm::dvec3 direction{0, 0, 1};
+    bool is_inside = false;
+    std::size_t hero = 0;
+    Spectrum<N> weight = all_ones<N>(); ///< contribution per unit of light, ratios divided out
+    Spectrum<N> ratio = all_ones<N>();  ///< density under each hero over the mean of all
+    int collisions = 0;
+    /// Per steradian, of the last turn at which a connection to the light was possible; 0 as long
+    /// as there was none.
+    double turn_density = 0;
+    Turn turn{};
+};
+
+/// Who is told what happens on the way.
+template <std::size_t N>
+class WalkEvents {
+  public:
+    virtual ~WalkEvents() = default;
+
+    /// The path has been scattered at its position; its weight has the albedo in it, its direction
+    /// is still that of arrival.  `absorbed` is what stayed there.
+    virtual void collided(const Path<N>& path, const Spectrum<N>& absorbed, PathRandom& random) = 0;
+
+    /// The path is at a rough surface; `surface` faces the side it comes from.
+    virtual void
+    met_surface(const Path<N>& path, const RoughSurface& surface, PathRandom& random) = 0;
+
+    /// The path has left for good; its weight is what arrives.
+    virtual void escaped(const Path<N>& path) = 0;
+
+    /// Roulette has changed the path's weight by `change`, zero on average.
+    virtual void gambled(const Spectrum<N>& change) = 0;
+
+    /// An origin inside was found outside, or a surface not found again: the path has been ended.
+    virtual void leaked() = 0;
+};
+
+/// What a walk does to be quick; no choice changes what it finds on average.
+struct WalkTactics {
+    int roulette_after = 32; ///< collisions
+    bool force_first = true; ///< matched: every first flight collides, what passes is exact
+    /// Matched: every flight scores what would escape along it, whether it does or not.  Pays where
+    /// asking for the whole ray is cheap (bodies in closed form) and little light gets out.
+    bool expect_escape = false;
+    /// Matched: this share of turns and flights is drawn toward `guide_axis`
+    /// (renderer/reference/guiding.h), weighed by the mixture's density in every channel.
+    double guided_share = 0; ///< 0..1, exclusive of 1
+    glm::dvec3 guide_axis{0, 0, 1};
+};
+
+template <std::size_t N>
+class Walk {
+  public:
+    /// All must outlive the walk.  For N = 1 the medium is grey (EXPECTS).
+    Walk(const Medium& medium,
+         const Boundary& boundary,
+         const Body& body,
+         BodyTracer& tracer,
+         WalkEvents<N>& events,
+         const WalkTactics& tactics = {});
+
+    /// Follows a path that starts outside or inside until it escapes or fades.
+    void follow(Path<N> path, PathRandom& random);
+
+  private:
+    enum class Fate { Goes, Ends };
+
+    double flight(const Path<N>& path, PathRandom& random) const;
+    Fate fly_straight(Path<N>& path, PathRandom& random);
+    Fate fly_bounded(Path<N>& path, PathRandom& random);
+    Fate force_collision(Path<N>& path, PathRandom& random);
+    Fate approach(Path<N>& path, PathRandom& random);
+    bool is_deep(const Path<N>& path);
+    Fate cross(Path<N>& path, double distance, PathRandom& random);
+    Fate cross_smooth(Path<N>& path, glm::dvec3 facing, double index, PathRandom& random);
+    Fate cross_rough(Path<N>& path, glm::dvec3 facing, double index, PathRandom& random);
+    void pass(Path<N>& path, double length) const;
+    void score_escape(Path<N> path, double length) const;
+    Fate collide(Path<N>& path, double length, PathRandom& random);
+    Fate turn(Path<N>& path, const Spectrum<N>& absorbed, PathRandom& random);
+    void choose_direction(Path<N>& path, PathRandom& random) const;
+    double mixed(const Turn& turn, std::size_t channel, double length, bool is_collision) const;
+
+    const Medium& medium_;
+    Boundary boundary_;
+    BodyTracer& tracer_;
+    WalkEvents<N>& events_;
+    WalkTactics tactics_;
+    double offset_;
+    double index_;
+    Spectrum<N> sigma_t_{}, sigma_s_{}, sigma_a_{};
+    Spectrum<N> rate_{}; ///< the guide's, per channel; empty where it cannot guide
+};
+
+extern template class Walk<1>;
+extern template class Walk<3>;
+
+} // namespace renderer::reference

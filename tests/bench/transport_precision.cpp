@@ -1,0 +1,149 @@
+// The long suite of transport: every anchor to a relative standard error that is asked for, as the
+// tables of docs/precision-transport.md.  Ends with failure when any is off by more than 4.
+//
+// transport_precision RELATIVE_ERROR SECONDS_EACH > docs/precision-transport.md
+#include "renderer/imaging/brightness.h"
+#include "renderer/imaging/colour.h"
+#include "renderer/imaging/errors.h"
+#include "tests/renderer/reference/anchors.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace renderer::reference;
+using anchors::Anchor;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+struct Result {
+    Estimate estimate;
+    std::uint64_t paths = 0;
+    double seconds = 0;
+};
+
+/// A pilot says how many paths the error takes, and how long they do.
+Result run(const Anchor& anchor, double relative, double most_seconds) {
+    constexpr std::uint64_t pilot_paths = 1 << 17;
+    EnergyRun run{.paths = pilot_paths, .seed = 11, .tactics = {.expect_escape = true}};
+    auto start = Clock::now();
+    const auto pilot = estimate_of(anchor, run);
+    const double pilot_seconds = seconds_since(start);
+    const double excess = std::pow(pilot.standard_error / (relative * anchor.exact), 2);
+    const double affordable = most_seconds / pilot_seconds;
+    run.paths =
+        static_cast<std::uint64_t>(static_cast<double>(pilot_paths) *
+                                   std::clamp(1.05 * excess, 1.0, std::max(1.0, affordable)));
+    run.seed = 12;
+    start = Clock::now();
+    return {estimate_of(anchor, run), run.paths, seconds_since(start)};
+}
+
+std::string name_of(const Anchor& anchor) {
+    const auto& p = anchor.problem;
+    const char* quantity = anchor.quantity == anchors::Quantity::Back      ? "back"
+                           : anchor.quantity == anchors::Quantity::Through ? "through"
+                                                                           : "escape";
+    const std::string shape = anchor.shape == anchors::Shape::Sphere
+                                  ? fmt::format("sphere, radius {}", p.optical_thickness)
+                              : std::isinf(p.optical_thickness)
+                                  ? "half-space"
+                                  : fmt::format("slab, {}", p.optical_thickness);
+    return fmt::format("{} | {} | {} | {} | {} | {}", shape, p.albedo, p.anisotropy, p.index,
+                       p.incidence == Incidence::Normal ? "normal" : "diffuse", quantity);
+}
+
+renderer::imaging::LinearImage plain(renderer::LinearRgb light) {
+    constexpr int edge = 40;
+    return {edge, edge, std::vector<renderer::LinearRgb>(edge * edge, light),
+            std::vector<float>(edge * edge, 1.0F)};
+}
+
+/// Pictures whose errors can be worked out by hand: tests/renderer/imaging/errors_test.cpp does.
+void print_image_measures() {
+    namespace imaging = renderer::imaging;
+    const auto errors = [](const imaging::LinearImage& x, const imaging::LinearImage& y) {
+        return imaging::image_errors(x, y, imaging::covered_pixels(y.coverage)).value();
+    };
+    const auto flip = [](const imaging::LinearImage& x, const imaging::LinearImage& y) {
+        return static_cast<double>(
+            imaging::ldr_flip(x, y, imaging::default_pixels_per_degree).at(20, 20));
+    };
+    const auto grey = [](double light) {
+        const auto y = static_cast<float>(light);
+        return plain({y, y, y});
+    };
+    const auto lightness = [&](double l) { return grey(std::pow((l + 16) / 116, 3)); };
+    const auto e = errors(plain({0.5F, 0.4F, 0.4F}), plain({0.2F, 0.4F, 0.4F}));
+    const double d = imaging::srgb_from_linear(0.5) - imaging::srgb_from_linear(0.2);
+    const double a = imaging::srgb_from_linear(0.5), b = imaging::srgb_from_linear(0.25);
+    fmt::print("\n# Precision of image measures\n\n| measure | case | by hand | computed |\n"
+               "|---|---|---|---|\n");
+    const auto row = [](const char* measure, const char* what, double exact, double computed) {
+        fmt::print("| {} | {} | {:.6g} | {:.6g} |\n", measure, what, exact, computed);
+    };
+    row("RMSE", "one channel of three off by 0.3", std::sqrt(0.03), e.rmse);
+    row("MAE", "the same", 0.1, e.mae);
+    row("relMSE", "the same, where the reference is 0.2", 0.6, e.rel_mse);
+    row("PSNR", "the same, encoded", -10 * std::log10(d * d / 3), e.psnr);
+    row("SSIM", "even greys 0.5 and 0.25", (2 * a * b + 1e-4) / (a * a + b * b + 1e-4),
+        errors(grey(0.5), grey(0.25)).ssim);
+    row("LDR-FLIP", "green and blue", 1, flip(plain({0, 1, 0}), plain({0, 0, 1})));
+    row("LDR-FLIP", "white and black", 0.96739, flip(grey(1), grey(0)));
+    row("LDR-FLIP", "lightness 50 and 51", 0.05755, flip(lightness(50), lightness(51)));
+    const auto same = errors(grey(0.3), grey(0.3));
+    row("HDR-FLIP", "equal pictures", 0, same.hdr_flip);
+    row("PSNR", "equal pictures", std::numeric_limits<double>::infinity(), same.psnr);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const double relative = argc > 1 ? std::atof(argv[1]) : 1e-4;
+    const double most_seconds = argc > 2 ? std::atof(argv[2]) : 600;
+    fmt::print(
+        "# Precision of transport\n\n"
+        "Written by `transport_precision {:g} {:g}` on {:%Y-%m-%d}; {} at most {:g} s went "
+        "into each line. z is the deviation in standard errors of estimate and exact value "
+        "together.\n\n"
+        "| body | albedo | g | index | incidence | light | exact | estimate | standard error "
+        "| relative | z | paths | s |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+        relative, most_seconds, fmt::gmtime(std::time(nullptr)),
+        fmt::format("relative standard error {:g} was asked for,", relative), most_seconds);
+    int failures = 0, met = 0, all = 0;
+    double squares = 0, seconds = 0;
+    for (const auto& anchor : anchors::all()) {
+        const auto [estimate, paths, taken] = run(anchor, relative, most_seconds);
+        const double z = (estimate.value - anchor.exact) /
+                         std::hypot(estimate.standard_error, anchor.exact_error);
+        fmt::print("| {} | {:.9g} | {:.7f} | {:.1e} | {:.1e} | {:+.2f} | {:.2e} | {:.1f} |\n",
+                   name_of(anchor), anchor.exact, estimate.value, estimate.standard_error,
+                   estimate.standard_error / anchor.exact, z, static_cast<double>(paths), taken);
+        std::fflush(stdout); // a run that is cut short leaves what it has
+        ++all;
+        failures += std::abs(z) <= 4 ? 0 : 1;
+        met += estimate.standard_error <= relative * anchor.exact ? 1 : 0;
+        squares += z * z;
+        seconds += taken;
+    }
+    fmt::print(
+        "\n{} of {} within 4 standard errors; root mean square of z {:.2f}; {} of {} reached "
+        "the relative error asked for; {:.0f} s in all.\n",
+        all - failures, all, std::sqrt(squares / all), met, all, seconds);
+    print_image_measures();
+    return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,85 @@
+// A scanned model on a turntable, and any method of the catalogue made for it.
+#pragma once
+
+#include "renderer/camera.h"
+#include "renderer/geometry/mesh_repair.h"
+#include "renderer/geometry/model_library.h"
+#include "renderer/geometry/morton_order.h"
+#include "renderer/materials.h"
+#include "renderer/methods/catalogue.h"
+
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+namespace bench {
+
+using namespace renderer;
+
+template <class T>
+T value_or_throw(Expected<T> result) {
+    if (!result)
+        throw std::runtime_error(result.error());
+    return std::move(*result);
+}
+
+inline geometry::Mesh load_mesh(const std::string& name) {
+    const auto model = value_or_throw(geometry::find_model(name, {".", {"."}}));
+    return geometry::along_morton_curve(
+        value_or_throw(geometry::prepare(value_or_throw(geometry::load_model(model)), name)).mesh);
+}
+
+/// Marble, lit from behind.
+inline Scene
+scene_of(const geometry::Mesh& mesh, int width, int height, Millimetres diameter = {100}) {
+    const Turntable table{.turn_degrees = 30, .elevation_degrees = 15};
+    Scene scene;
+    scene.placement = place(geometry::bounding_sphere(mesh), diameter, table);
+    scene.camera = frame(diameter, table, static_cast<double>(width) / height);
+    scene.material = *measured_material("marble");
+    scene.lights = {{DirectionalLight{{0, 0.3, -1}}, {1, 1, 1}}};
+    return scene;
+}
+
+/// Traces 256 directions: neither a frame's cost nor an error of storage depends on more.
+class Workbench {
+  public:
+    Workbench(const geometry::Mesh& mesh, const Scene& scene)
+        : mesh_(mesh), scene_(scene), surface_(value_or_throw(methods::Surface::upload(mesh))) {}
+
+    std::shared_ptr<methods::Method> prepare(const std::string& name,
+                                             const methods::Dials& dials) const {
+        const methods::Subject subject{
+            .mesh = mesh_,
+            .surface = surface_,
+            .material = scene_.material,
+            .placement = scene_.placement,
+            .field = [this](const thickness::FieldOptions& asked) { return field(asked); },
+            .progress = {}};
+        return value_or_throw(methods::prepare_method(name, dials, subject));
+    }
+
+  private:
+    using Field = std::shared_ptr<const thickness::ThicknessField>;
+
+    Expected<Field> field(thickness::FieldOptions asked) const {
+        asked.directions = 256;
+        auto& traced = fields_[{asked.kind, asked.bands}];
+        if (traced == nullptr) {
+            auto computed = thickness::compute_thickness_field(mesh_, asked);
+            if (!computed)
+                return tl::make_unexpected(computed.error());
+            traced = std::make_shared<const thickness::ThicknessField>(std::move(*computed));
+        }
+        return traced;
+    }
+
+    const geometry::Mesh& mesh_;
+    Scene scene_;
+    std::shared_ptr<const methods::Surface> surface_;
+    mutable std::map<std::tuple<thickness::Kind, int>, Field> fields_;
+};
+
+} // namespace bench

@@ -1,0 +1,131 @@
+// Pictures and numbers of the reference, and comparisons with it, as a script asks for them.
+#include "tests/end_to_end/program.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace tests;
+using testing::HasSubstr;
+
+nlohmann::json json_of(const fs::path& file) {
+    return nlohmann::json::parse(read_file(file));
+}
+
+// MCML's first check: 0.0973946 and 0.6609577; 4 standard errors, fixed seed.
+TEST(ReferenceCommand, PrintsASlabAsTheTablesHaveIt) {
+    const TemporaryFolder folder;
+    const auto file = folder / "slab.json";
+    const auto run = pairlight({"reference", "slab", "--albedo", "0.9", "--anisotropy", "0.75",
+                                "--optical-thickness", "2", "--index", "1", "--paths", "100000",
+                                "--seed", "3", "--json", file.string()});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const auto json = json_of(file);
+    for (const auto& [name, exact] :
+         {std::pair{"reflectance", 0.0973946}, {"transmittance", 0.6609577}}) {
+        const double error = json[name]["standard_error"];
+        EXPECT_LE(std::abs(json[name]["estimate"].get<double>() - exact), 4 * error) << name;
+        EXPECT_LE(error, 0.01 * exact) << name;
+    }
+    EXPECT_EQ(json["specular"], 0);
+    EXPECT_GT(json["seconds"], 0);
+}
+
+TEST(ReferenceCommand, GivesTheSameNumbersForTheSameSeed) {
+    const auto once = [](const std::string& seed) {
+        auto run = pairlight({"reference", "sphere", "--albedo", "0.9", "--index", "1.4", "--paths",
+                              "10000", "--seed", seed, "--json", "-"});
+        auto json = nlohmann::json::parse(run.out);
+        json.erase("seconds");
+        return json;
+    };
+    EXPECT_EQ(once("1"), once("1"));
+    EXPECT_NE(once("1"), once("2"));
+}
+
+std::vector<std::string> torus(const fs::path& out, const std::string& seed = "1") {
+    return {"reference",        "torus", "--diameter-mm", "4",  "--size", "24",
+            "--relative-error", "0.3",   "--seed",        seed, "--out",  out.string()};
+}
+
+TEST(ReferenceCommand, MakesAPictureThatIsGoneOnWithAndCompared) {
+    const TemporaryFolder folder;
+    const auto file = folder / "torus.exr", other = folder / "other.exr";
+    auto run = pairlight(torus(file));
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("0 leaks"));
+    run = pairlight(torus(file)); // done already: read, found good, written again
+    ASSERT_EQ(run.status, 0) << run.err;
+    auto refused = torus(file);
+    refused[3] = "5";
+    run = pairlight(refused);
+    EXPECT_NE(run.status, 0);
+    EXPECT_THAT(run.err, HasSubstr("is a reference of something else"));
+
+    ASSERT_EQ(pairlight(torus(other, "2")).status, 0);
+    const auto result = folder / "errors.json";
+    run = pairlight({"compare", file.string(), other.string(), "--json", result.string(), "--maps",
+                     (folder / "map").string()});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const auto errors = json_of(result);
+    for (const char* name : {"RMSE", "MAE", "relMSE", "PSNR", "SSIM", "LDR-FLIP", "HDR-FLIP"}) {
+        EXPECT_TRUE(errors.contains(name)) << name;
+        EXPECT_TRUE(errors["equalised"].contains(name)) << name;
+        EXPECT_TRUE(errors["noise_floor"].contains(name)) << name;
+    }
+    // halves have twice the variance of the whole: sqrt(2) apart as two wholes are, twice the rest
+    EXPECT_LT(errors["RMSE"].get<double>(), 2 * errors["noise_floor"]["RMSE"].get<double>());
+    for (const char* map : {"map-flip.png", "map-ssim.png", "map-relative.png"})
+        EXPECT_TRUE(fs::exists(folder / map)) << map;
+
+    run = pairlight({"compare", file.string(), file.string(), "--json", result.string()});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(json_of(result)["PSNR"], "inf");
+    EXPECT_EQ(json_of(result)["RMSE"], 0);
+}
+
+TEST(ReferenceCommand, SaysWhatCannotBe) {
+    const TemporaryFolder folder;
+    auto polished = torus(folder / "a.exr");
+    polished.insert(polished.end(), {"--boundary", "smooth"});
+    EXPECT_THAT(pairlight(polished).err, HasSubstr("expected at least 2 degrees"));
+    EXPECT_THAT(pairlight({"reference", "torus"}).err, HasSubstr("--out"));
+    EXPECT_NE(pairlight({"reference", "slab", "--albedo", "1.5"}).status, 0);
+    EXPECT_FALSE(fs::exists(folder / "a.exr"));
+}
+
+TEST(ReferenceCondition, IsRenderedBesideTheMethodsItJudges) {
+    const TemporaryFolder folder;
+    write_file(folder / "instructions.md", "# Welcome\n\nChoose.\n");
+    write_file(folder / "study.toml", R"([study]
+id       = "judged"
+title    = "With its reference"
+question = "Which picture looks more realistic?"
+seed     = 1
+width    = 32
+height   = 32
+[[scene]]
+id       = "body"
+model    = "torus"
+diameter_mm = 4
+material = "marble"
+[[condition]]
+id     = "phong"
+method = "phong"
+[[condition]]
+id     = "truth"
+method = "reference"
+relative_error = 0.3
+)");
+    const auto run = pairlight({"render", folder.path().string()});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(fs::exists(folder.path() / "stimuli" / "body" / "truth.png"));
+    EXPECT_THAT(read_file(folder.path() / "stimuli" / "manifest.json"), HasSubstr("path tracer"));
+}
+
+} // namespace

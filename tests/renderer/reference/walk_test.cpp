@@ -1,0 +1,272 @@
+// Laws that hold for any body, and the corners where a walk could stumble.
+#include "renderer/geometry/bodies.h"
+#include "renderer/reference/clearance.h"
+#include "renderer/reference/energy.h"
+#include "renderer/reference/guiding.h"
+#include "renderer/reference/mesh_body.h"
+#include "renderer/reference/walk.h"
+#include "tests/renderer/geometry/assembly.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace {
+
+using namespace renderer::reference;
+
+constexpr Boundary matched{}, smooth{BoundaryKind::Smooth};
+
+/// |estimate - exact| in standard errors.
+double deviation(const Estimate& estimate, double exact) {
+    return std::abs(estimate.value - exact) / estimate.standard_error;
+}
+
+TEST(Energy, IsNeitherMadeNorLost) {
+    for (const auto& boundary : {matched, smooth})
+        for (const double albedo : {0.0, 0.5, 0.999, 1.0})
+            for (const double g : {0.0, 0.9}) {
+                const auto b = slab_energy({albedo, g, 3, 1.4, boundary}, {.paths = 4096});
+                const double all = b.back.value + b.through.value + b.absorbed.value +
+                                   b.roulette.value + b.specular;
+                EXPECT_NEAR(all, 1, 1e-12) << albedo << ' ' << g;
+                EXPECT_EQ(b.leaks, 0u);
+            }
+}
+
+TEST(Roulette, ChangesNothingOnAverage) {
+    const auto b = slab_energy({0.95, 0, 20, 1, matched},
+                               {.paths = 1 << 16, .tactics = {.roulette_after = 4}});
+    EXPECT_GT(b.roulette.standard_error, 0);
+    EXPECT_LE(deviation(b.roulette, 0), 4);
+    const auto early = slab_energy({0.95, 0, 20, 1, matched}, {.paths = 1 << 16, .seed = 2});
+    EXPECT_LE(std::abs(b.back.value - early.back.value),
+              4 * std::hypot(b.back.standard_error, early.back.standard_error));
+}
+
+// Without absorption, under even light, a path has index^2 4V/S of body on average, whatever
+// scatters in it: 4/3 radii of a sphere.  [Blanco2003] [Tommasi2020]
+TEST(MeanPath, DependsOnTheShapeAlone) {
+    for (const auto& [g, index] : {std::pair{0.0, 1.0}, {0.8, 1.0}, {0.0, 1.3}, {0.5, 1.5}}) {
+        EnergyProblem problem{1, g, 1, index, index == 1 ? matched : smooth, Incidence::Diffuse};
+        const auto b = sphere_energy(problem, {.paths = 1 << 17});
+        EXPECT_LE(deviation(b.collisions, 4.0 / 3 * index * index), 4) << g << ' ' << index;
+        EXPECT_NEAR(b.escape.value, 1, 1e-12);
+        // known beforehand: V/S of a sphere of triangles is 1e-3 smaller at 5 subdivisions
+        EXPECT_NEAR(expected_collisions(renderer::geometry::sphere(1, 5),
+                                        grey_medium(1, 1, g, index), problem.boundary),
+                    4.0 / 3 * index * index, 2e-3 * index * index);
+    }
+}
+
+// [1 - (1 + 2x) e^-2x] / (2 x^2) of even light gets through a pure absorber of optical radius x.
+TEST(PureAbsorber, LetsThroughWhatItsChordsDo) {
+    for (const auto& [x, exact] :
+         {std::pair{0.5, 0.528482}, {1.0, 0.296997}, {2.0, 0.113553}, {5.0, 0.019990}}) {
+        const std::uint64_t paths = x < 5 ? 1 << 16 : 1 << 20; // little light gets through
+        const auto b = sphere_energy({0, 0, x, 1, matched, Incidence::Diffuse}, {.paths = paths});
+        EXPECT_LE(std::abs(b.escape.value - exact), 4 * b.escape.standard_error + 5e-7) << x;
+        EXPECT_LE(b.escape.standard_error, 1e-3 * exact);
+    }
+}
+
+// Beer and Lambert on the refracted chord: every inner reflection meets the surface at one angle.
+TEST(PureAbsorber, BehindASmoothBoundaryFollowsRefractedChords) {
+    constexpr double index = 1.5, x = 0.7;
+    double exact = 0;
+    constexpr int n = 20000; // midpoints in sin^2
+    for (int i = 0; i < n; ++i) {
+        const double cosine = std::sqrt(1 - (i + 0.5) / n);
+        const double inner = std::sqrt(1 - (1 - cosine * cosine) / (index * index));
+        const double f = fresnel(cosine, index), pass = std::exp(-2 * x * inner);
+        exact += (f + (1 - f) * (1 - f) * pass / (1 - f * pass)) / n;
+    }
+    const auto b = sphere_energy({0, 0, x, index, smooth, Incidence::Diffuse}, {.paths = 1 << 18});
+    EXPECT_LE(deviation(b.escape, exact), 4);
+}
+
+TEST(DeepBody, WithHardlyAnyAbsorptionStillGlowsLikeAFurnace) {
+    // 1 - albedo = 1e-6 over 100 mean free paths: 133 collisions on average, each loses 1e-6
+    const auto b =
+        sphere_energy({1 - 1e-6, 0, 100, 1, matched, Incidence::Diffuse}, {.paths = 8192});
+    EXPECT_NEAR(b.escape.value + b.absorbed.value + b.roulette.value, 1, 1e-12);
+    EXPECT_NEAR(b.escape.value, 1, 1e-3);
+    EXPECT_LE(deviation(b.collisions, 400.0 / 3), 4);
+}
+
+TEST(GasBubble, ReflectsTotallyOutside) {
+    const auto b =
+        sphere_energy({1, 0, 1, 1 / 1.5, smooth, Incidence::Diffuse}, {.paths = 1 << 15});
+    EXPECT_NEAR(b.escape.value, 1, 1e-12);
+    EXPECT_LE(deviation(b.collisions, 4.0 / 3 / 2.25), 4);
+}
+
+TEST(ExpectedEscape, FindsTheSameAsWalkingOut) {
+    const EnergyProblem slab{0.9, 0.3, 4, 1, matched};
+    const auto walked = slab_energy(slab, {.paths = 1 << 16});
+    const auto expected =
+        slab_energy(slab, {.paths = 1 << 16, .seed = 2, .tactics = {.expect_escape = true}});
+    EXPECT_LE(std::abs(walked.through.value - expected.through.value),
+              4 * std::hypot(walked.through.standard_error, expected.through.standard_error));
+}
+
+TEST(Guiding, IsADensityAndItsSamples) {
+    for (const double rate : {0.01, 0.3, 0.7, 0.99}) {
+        double integral = 0, mean = 0, sampled = 0;
+        constexpr int n = 200'000;
+        for (int i = 0; i < n; ++i) {
+            const double u = (i + 0.5) / n, cosine = 2 * u - 1;
+            const double density = 4 * 3.141592653589793 * guided_density(cosine, rate) / n;
+            integral += density;
+            mean += density * cosine;
+            sampled += sample_guided_cosine(u, rate) / n;
+        }
+        EXPECT_NEAR(integral, 1, 1e-6) << rate;
+        EXPECT_NEAR(sampled, mean, 1e-6) << rate;
+    }
+    EXPECT_NEAR(decay_rate(1), 0, 1e-12);
+    // the exact rate solves (rate / 2 albedo) 2 = ln((1 + rate) / (1 - rate)); at 0.9: 0.52543
+    EXPECT_NEAR(decay_rate(0.9), 0.52543, 1e-3);
+}
+
+TEST(Guiding, ChangesNothingOnAverage) {
+    for (const double g : {0.0, 0.6}) {
+        const EnergyProblem slab{0.9, g, 4, 1, matched};
+        const auto free = slab_energy(slab, {.paths = 1 << 17});
+        for (const bool expected : {false, true}) {
+            const auto guided = slab_energy(slab, {.paths = 1 << 17,
+                                                   .seed = 2,
+                                                   .tactics = {.expect_escape = expected,
+                                                               .guided_share = 0.5,
+                                                               .guide_axis = {0, 0, -1}}});
+            EXPECT_LE(std::abs(free.through.value - guided.through.value),
+                      4 * std::hypot(free.through.standard_error, guided.through.standard_error));
+            EXPECT_LE(std::abs(free.back.value - guided.back.value),
+                      4 * std::hypot(free.back.standard_error, guided.back.standard_error));
+        }
+    }
+}
+
+/// What escapes, channel by channel.
+class ColourTally final : public WalkEvents<3> {
+  public:
+    void collided(const Path<3>&, const Spectrum<3>&, PathRandom&) override {}
+
+    void met_surface(const Path<3>&, const RoughSurface&, PathRandom&) override {}
+
+    void gambled(const Spectrum<3>&) override {}
+
+    void leaked() override { ++leaks; }
+
+    void escaped(const Path<3>& path) override {
+        for (std::size_t k = 0; k < 3; ++k)
+            sum[k] += path.weight[k];
+    }
+
+    Spectrum<3> sum{};
+    int leaks = 0;
+};
+
+// Three colours at once against one at a time; one colour sees nothing at all, one only absorbs.
+TEST(Colours, WalkedTogetherAreThoseWalkedAlone) {
+    Medium medium{{0.05, 0, 1}, {0.95, 0, 0}, 0.2, 1.3};
+    for (const auto& boundary : {matched, smooth})
+        for (const double guided : {-1.0, 0.0, 0.4}) { // -1: nothing forced either
+            const bool forced = guided >= 0;
+            const auto body = make_sphere(2);
+            const auto tracer = body->tracer();
+            ColourTally tally;
+            Walk<3> walk(medium, boundary, *body, *tracer, tally,
+                         {.force_first = forced, .guided_share = std::max(guided, 0.0)});
+            constexpr int batches = 256;
+            Spectrum<3> mean{}, squares{};
+            for (std::uint32_t b = 0; b < batches; ++b) {
+                tally.sum = {};
+                for (std::uint32_t s = 0; s < 64; ++s) {
+                    PathRandom random({5, 0, b, s, 6});
+                    Path<3> path;
+                    path.position = {0, 0, 2};
+                    const double u = random.next();
+                    const double c = std::sqrt(1 - u), t = 6.283185307179586 * random.next();
+                    path.direction = {std::sqrt(u) * std::cos(t), std::sqrt(u) * std::sin(t), -c};
+                    walk.follow(path, random);
+                }
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const double x = tally.sum[k] / 64;
+                    mean[k] += x / batches;
+                    squares[k] += x * x / batches;
+                }
+            }
+            const auto alone = [&](double albedo, double depth) {
+                return sphere_energy({albedo, 0.2, depth, 1.3, boundary, Incidence::Diffuse},
+                                     {.paths = 1 << 17});
+            };
+            const std::array<Estimate, 3> exact{alone(0.95, 2).escape, Estimate{1, 0},
+                                                alone(0, 2).escape};
+            for (std::size_t k = 0; k < 3; ++k) {
+                ASSERT_TRUE(std::isfinite(mean[k]));
+                const double se =
+                    std::sqrt(std::max(0.0, squares[k] - mean[k] * mean[k]) / batches);
+                EXPECT_LE(std::abs(mean[k] - exact[k].value),
+                          4 * std::hypot(se, exact[k].standard_error) + 1e-12)
+                    << k << ' ' << guided;
+            }
+            EXPECT_EQ(tally.leaks, 0);
+        }
+}
+
+TEST(Clearance, NeverExceedsTheDistanceFromASphere) {
+    const renderer::geometry::RayScene scene(renderer::geometry::sphere(1, 4));
+    const Clearance clearance(scene, 32);
+    double greatest_loss = 0;
+    for (std::uint32_t i = 0; i < 20000; ++i) {
+        PathRandom random({1, i, 0, 0, 0});
+        const glm::dvec3 p =
+            0.49 * (2.0 * glm::dvec3(random.next(), random.next(), random.next()) - 1.0);
+        const double distance = std::abs(0.5 - glm::length(p)); // vertices are on the sphere,
+        const double bound = static_cast<double>(clearance.at(glm::vec3(p)));
+        EXPECT_LE(bound,
+                  distance + 1e-6); // faces inside it: the bound knows them, outside is farther
+        greatest_loss = std::max(greatest_loss, distance - bound);
+    }
+    EXPECT_LE(greatest_loss, 2 * std::sqrt(3.0) / 32 + 0.002); // two cells' diagonals
+    EXPECT_EQ(clearance.at({2, 0, 0}), 0);
+}
+
+// A sphere of triangles approaches the true one: at 5 subdivisions it is 0.06 % smaller.
+TEST(MeshBody, WalksLikeTheBodyItApproximates) {
+    const auto mesh = make_mesh_body(renderer::geometry::sphere(3, 5));
+    for (const auto& [boundary, index] : {std::pair{matched, 1.0}, {smooth, 1.5}}) {
+        const auto medium = grey_medium(1, 0.9, 0, index);
+        const auto traced = body_energy(*mesh, {}, 3, medium, boundary, {.paths = 1 << 16});
+        const auto exact =
+            sphere_energy({0.9, 0, 3, index, boundary, Incidence::Diffuse}, {.paths = 1 << 17});
+        EXPECT_LE(std::abs(traced.escape.value - exact.escape.value),
+                  4 * std::hypot(traced.escape.standard_error, exact.escape.standard_error) + 5e-4);
+        EXPECT_EQ(traced.leaks, 0u);
+    }
+}
+
+// Concave, nested, overlapping: an even sky comes through a body that only scatters as it is.
+TEST(Furnace, OfAnyBodyShowsTheSkyAndLeaksNothing) {
+    using namespace renderer::geometry;
+    const std::array<Mesh, 4> meshes{
+        shell(1, 0.5, 3), torus(0.7, 0.3, 32, 16), slab(2, 2, 0.2, 4),
+        together(slab(2, 2, 2, 1), moved(slab(2, 2, 2, 1), {1, 0.1, 0.1}))};
+    for (const auto& mesh : meshes)
+        for (const auto& [boundary, index] : {std::pair{matched, 1.0}, {smooth, 1.4}}) {
+            const auto body = make_mesh_body(mesh);
+            const auto bounds = bounding_sphere(mesh);
+            const auto b = body_energy(*body, bounds.centre, bounds.radius,
+                                       grey_medium(4, 1, 0.3, index), boundary, {.paths = 1 << 14});
+            EXPECT_NEAR(b.escape.value + b.roulette.value, 1, 1e-12);
+            EXPECT_GT(b.collisions.value, 1);
+            EXPECT_EQ(b.leaks, 0u);
+        }
+}
+
+} // namespace
