@@ -81,7 +81,7 @@ class ViewerWindow : public testing::Test {
         write_ball(folder / "ball.off");
         program = std::make_unique<RunningProgram>(
             std::vector<std::string>{"env", "-C", folder.path().string(), PAIRLIGHT_PROGRAM, "view",
-                                     "ball.off"},
+                                     "ball.off", "--diameter", "10"}, // thin enough to glow
             folder / "stderr");
     }
 

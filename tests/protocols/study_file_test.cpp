@@ -229,7 +229,7 @@ TEST(StudyFile, WithAMissingKeyIsToldTheTableThatLacksIt) {
                 testing::StartsWith("9: [[scene]] has no 'material', expected one of apple, "));
     EXPECT_THAT(complaint(changed("method = \"phong\"", "")),
                 testing::HasSubstr("[[condition]] 'plain' has no 'method', expected one of phong, "
-                                   "green, shss, or source = \"images\""));
+                                   "green, shss, guess, or source = \"images\""));
     EXPECT_EQ(complaint(minimal + "[[variant]]\nid = \"back\"\n"),
               "21: [[variant]] has no 'to_light', expected three numbers [x, y, z], not all zero");
 }
