@@ -1,6 +1,8 @@
 // Tracing happens when a field is asked for, not before.
 #include "experiment/traced_fields.h"
 
+#include "renderer/thickness/bands.h"
+
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -12,6 +14,8 @@ namespace thickness = renderer::thickness;
 using thickness::FieldOrigin;
 
 namespace {
+
+constexpr double least_energy = 0.6; // a shell of 1 % of its radius keeps 0.57
 
 /// The model outlives whoever borrows its mesh.
 std::shared_ptr<const renderer::geometry::Mesh> borrowed(const LoadedModel& model) {
@@ -58,6 +62,12 @@ void TracedFields::remark(const thickness::SourcedField& sourced) {
         return; // has been said
     if (sourced.origin == FieldOrigin::File)
         model_.remarks.push_back("thickness " + describe(sourced));
+    if (const double kept = thickness::energy_kept(*sourced.field, sourced.field->bands);
+        kept < least_energy)
+        model_.remarks.push_back(
+            fmt::format("{} bands hold {:.0f} % of the thickness's energy: the walls are thin, and "
+                        "most of what glows is invented",
+                        sourced.field->bands, 100 * kept));
     if (const auto& rays = sourced.field->statistics; rays.retried + rays.fallbacks > 0)
         model_.remarks.push_back(
             fmt::format("{} of {} rays were traced again, {} decided by winding number",
