@@ -29,6 +29,16 @@ tl::unexpected<std::string> cannot(const char* what, const fs::path& path, const
     return tl::unexpected(fmt::format("{}: cannot be {}: {}", path.string(), what, why));
 }
 
+tl::expected<void, std::string> write_into(const fs::path& path, std::string_view text) {
+    const File file(std::fopen(path.c_str(), "wb"));
+    if (!file)
+        return cannot("written", path, reason());
+    if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
+        std::fflush(file.get()) != 0)
+        return cannot("written", path, reason());
+    return {};
+}
+
 } // namespace
 
 tl::expected<std::string, std::string> read_text_file(const fs::path& path) {
@@ -49,6 +59,10 @@ tl::expected<std::string, std::string> read_text_file(const fs::path& path) {
 
 tl::expected<void, std::string> write_text_file(const fs::path& path, std::string_view text) {
     std::error_code failure;
+    if (const auto there = fs::status(path, failure);
+        fs::exists(there) && !fs::is_regular_file(there))
+        return write_into(path, text); // a device or a pipe stays what it is
+    failure.clear();
     if (path.has_parent_path())
         fs::create_directories(path.parent_path(), failure);
     if (failure)

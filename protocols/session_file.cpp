@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 
 namespace protocols {
 
@@ -164,6 +165,8 @@ ObserverQuestion read_question(Section section) {
     question.ask = section.text("ask");
     if (section.has("choices")) {
         question.choices = section.several("choices");
+        if (std::set<std::string>(question.choices.begin(), question.choices.end()).size() < 2)
+            section.refuse("choices", "two different answers or more");
         if (section.has("passes"))
             question.passes = section.several_of("passes", question.choices);
     } else {
@@ -171,6 +174,12 @@ ObserverQuestion read_question(Section section) {
         question.greatest = 1e6;
         section.number("least", {-1e6, 1e6}, question.least);
         section.number("greatest", {-1e6, 1e6}, question.greatest);
+        if (!section.has("least") && !section.has("greatest"))
+            section.note("ask", fmt::format("[[question]] '{}' has neither 'choices' nor 'least' "
+                                            "and 'greatest', expected one of them",
+                                            question.id));
+        if (question.least >= question.greatest)
+            section.refuse("least", "less than 'greatest': no answer fits between them");
         const auto limit = [&](const char* key, std::optional<double>& value) {
             if (!section.has(key))
                 return;
@@ -179,6 +188,9 @@ ObserverQuestion read_question(Section section) {
         };
         limit("passes_from", question.passes_from);
         limit("passes_up_to", question.passes_up_to);
+        if (question.passes_from && question.passes_up_to &&
+            *question.passes_from > *question.passes_up_to)
+            section.refuse("passes_from", "at most 'passes_up_to': nobody could pass");
     }
     section.expect_nothing_else();
     return question;

@@ -68,7 +68,12 @@ std::map<std::string, ShadingCoefficients> read_own_coefficients(Section& sectio
     auto scenes = section.table("k", false);
     for (const auto& scene : scenes.rest()) {
         auto table = scenes.table(scene.key, true);
-        const auto term = [&](std::string_view name) { return table.triple(name, {0, 1e6}, {}); };
+        const auto term = [&](std::string_view name) {
+            if (!table.has(name))
+                table.note(name, fmt::format("[condition.k.{}] has no '{}', expected three numbers",
+                                             scene.key, name));
+            return table.triple(name, {0, 1e6}, {});
+        };
         own[scene.key] = {term("ambient"), term("diffuse"), term("specular"), term("scatter")};
         table.expect_nothing_else();
     }

@@ -4,6 +4,7 @@
 #include "analysis/findings_text.h"
 #include "experiment/commands/commands.h"
 #include "experiment/commands/steps.h"
+#include "experiment/commands/within.h"
 #include "experiment/text_files.h"
 
 #include <CLI/CLI.hpp>
@@ -110,12 +111,12 @@ void add_analyze(CLI::App& program) {
     command
         ->add_option("--level", options->analysis.level,
                      "Level of tests; intervals hold at one minus it")
-        ->check(CLI::Range(1e-6, 0.5))
+        ->check(Within(1e-6, 0.5))
         ->capture_default_str();
     command
         ->add_option("--replicates", options->analysis.bootstrap_replicates,
                      "How often observers are drawn again for the intervals of the scales")
-        ->check(CLI::Range(100, 1'000'000))
+        ->check(Within(100, 1'000'000))
         ->capture_default_str();
     command->add_option("--seed", options->analysis.bootstrap_seed, "Seed of those draws")
         ->capture_default_str();

@@ -1,5 +1,6 @@
 // pairlight compare: how far one picture is from another, in every measure people use.
 #include "experiment/commands/commands.h"
+#include "experiment/commands/within.h"
 #include "experiment/errors_json.h"
 #include "experiment/stimuli/reference_file.h"
 #include "renderer/imaging/brightness.h"
@@ -138,7 +139,7 @@ void add_compare(CLI::App& program) {
     command
         ->add_option("--pixels-per-degree", options->pixels_per_degree,
                      "Of the observer's visual angle, for FLIP")
-        ->check(CLI::Range(1.0, 1000.0))
+        ->check(Within(1.0, 1000.0))
         ->capture_default_str();
     add_voice(*command, options->voice);
     command->callback([options] { run(*options); });

@@ -3,6 +3,7 @@
 #include "experiment/commands/commands.h"
 #include "experiment/commands/sittings.h"
 #include "experiment/commands/stimulus_files.h"
+#include "experiment/commands/within.h"
 #include "experiment/stimuli/freshness.h"
 #include "experiment/text_files.h"
 #include "protocols/calibration.h"
@@ -227,7 +228,7 @@ void add_timing_check(CLI::App& program) {
         program.add_subcommand("timing-check", "Whether the screen keeps time: swaps, measured");
     add_seat(*command, *options);
     command->add_option("--swaps", options->swaps, "How many")
-        ->check(CLI::Range(10, 100000))
+        ->check(Within(10, 100000))
         ->capture_default_str();
     command->callback([options] { run_timing_check(*options); });
 }

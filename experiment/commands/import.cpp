@@ -1,6 +1,7 @@
 // pairlight import: a folder of pictures made elsewhere becomes a study's stimuli.
 #include "experiment/commands/commands.h"
 #include "experiment/commands/tone_curve.h"
+#include "experiment/commands/within.h"
 #include "experiment/read_study.h"
 #include "experiment/stimuli/scene_renderer.h"
 #include "experiment/text_files.h"
@@ -132,7 +133,7 @@ void add_import(CLI::App& program) {
         ->check(CLI::IsMember({"clip", "reinhard"}));
     command
         ->add_option("--exposure", options->exposure, "Stops by which light is lifted first (EXR)")
-        ->check(CLI::Range(-20.0, 20.0))
+        ->check(Within(-20.0, 20.0))
         ->capture_default_str();
     command
         ->add_option_function<std::string>(

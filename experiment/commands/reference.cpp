@@ -1,6 +1,7 @@
 // pairlight reference: a picture by following light, with its error; and the numbers of tables.
 #include "experiment/commands/commands.h"
 #include "experiment/commands/reference_energy.h"
+#include "experiment/commands/within.h"
 #include "experiment/models.h"
 #include "experiment/progress.h"
 #include "experiment/read_study.h"
@@ -80,7 +81,15 @@ Subject study_subject(const Options& options) {
     return {loaded.folder, loaded.study, *scene, *variant};
 }
 
+void expect_length(const char* option, const std::array<double, 3>& v) {
+    if (!(std::hypot(v[0], v[1], v[2]) > 0))
+        throw CommandError(fmt::format("{} {} {} {}: expected a direction, not all zero", option,
+                                       v[0], v[1], v[2]));
+}
+
 Subject model_subject(const Options& options) {
+    expect_length("--to-light", options.to_light);
+    expect_length("--up", options.look.up);
     Subject subject{{"."}, {}, options.look, {}};
     subject.study.width = subject.study.height = options.size;
     subject.scene.model = options.subject;
@@ -184,14 +193,17 @@ void add_picture_options(CLI::App& command, const std::shared_ptr<Options>& opti
         ->check(CLI::IsMember(renderer::measured_names()))
         ->capture_default_str();
     command.add_option("--diameter-mm", options->look.diameter_mm, "Of a model's bounding sphere")
-        ->check(CLI::Range(1e-6, 1e6))
+        ->check(Within(1e-6, 1e6))
         ->capture_default_str();
-    command.add_option("--turn-degrees", options->look.turn_degrees, "Of a model");
-    command.add_option("--up", options->look.up, "Of a model");
-    command.add_option("--to-light", options->to_light,
-                       "For a model: toward the light, x right, y up, z toward the viewer");
+    command.add_option("--turn-degrees", options->look.turn_degrees, "Of a model")
+        ->check(Within(-360, 360));
+    command.add_option("--up", options->look.up, "Of a model")->check(Within(-1e9, 1e9));
+    command
+        .add_option("--to-light", options->to_light,
+                    "For a model: toward the light, x right, y up, z toward the viewer")
+        ->check(Within(-1e9, 1e9));
     command.add_option("--size", options->size, "For a model: pixels along an edge")
-        ->check(CLI::Range(8, 8192))
+        ->check(Within(8, 8192))
         ->capture_default_str();
     command.add_option("--boundary", options->boundary, "What the surface does to light")
         ->check(CLI::IsMember({"matched", "smooth", "rough"}))
@@ -200,12 +212,12 @@ void add_picture_options(CLI::App& command, const std::shared_ptr<Options>& opti
         ->capture_default_str();
     command
         .add_option("--anisotropy", options->anisotropy, "Henyey-Greenstein's g, at one sigma_s'")
-        ->check(CLI::Range(-0.999, 0.999))
+        ->check(Within(-0.999, 0.999))
         ->capture_default_str();
     command
         .add_option("--sun-degrees", options->sun_degrees,
                     "Half-angle of the light; 0: all from one direction")
-        ->check(CLI::Range(0.0, 90.0))
+        ->check(Within(0.0, 90.0))
         ->capture_default_str();
 }
 
@@ -219,12 +231,12 @@ void add_reference(CLI::App& program) {
     command
         ->add_option("--relative-error", options->rule.relative,
                      "95 % half-width of a pixel over its light that is good enough")
-        ->check(CLI::Range(1e-5, 1.0))
+        ->check(Within(1e-5, 1.0))
         ->capture_default_str();
     command
         ->add_option("--seconds", options->seconds,
                      "Stop after so long with the best picture so far")
-        ->check(CLI::Range(0.0, 1e9));
+        ->check(Within(0.0, 1e9));
     command->add_option("--seed", options->seed, "Seed of the random numbers")
         ->capture_default_str();
     command->add_option("--out", options->out,

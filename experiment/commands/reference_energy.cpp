@@ -2,6 +2,7 @@
 #include "experiment/commands/reference_energy.h"
 
 #include "experiment/commands/command.h"
+#include "experiment/commands/within.h"
 #include "experiment/energy_json.h"
 #include "experiment/models.h"
 #include "renderer/geometry/mesh.h"
@@ -120,20 +121,20 @@ void add_shape(CLI::App& reference, const char* name, const char* description, E
     auto* command = reference.add_subcommand(name, description);
     auto& problem = options->problem;
     command->add_option("--albedo", problem.albedo, "Scattered share of what collides")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(Within(0.0, 1.0))
         ->capture_default_str();
     command->add_option("--anisotropy", problem.anisotropy, "Henyey-Greenstein's g")
-        ->check(CLI::Range(-0.999, 0.999))
+        ->check(Within(-0.999, 0.999))
         ->capture_default_str();
     if (shape != EnergyShape::HalfSpace)
         command
             ->add_option("--optical-thickness", problem.optical_thickness,
                          shape == EnergyShape::Slab ? "Mean free paths across"
                                                     : "Mean free paths in a radius")
-            ->check(CLI::Range(1e-9, 1e9))
+            ->check(Within(1e-9, 1e9))
             ->capture_default_str();
     command->add_option("--index", problem.index, "Refractive index, inside over outside")
-        ->check(CLI::Range(0.2, 5.0))
+        ->check(Within(0.2, 5.0))
         ->capture_default_str();
     command
         ->add_option("--boundary", options->boundary,
@@ -156,7 +157,7 @@ void add_shape(CLI::App& reference, const char* name, const char* description, E
                 {"normal", Incidence::Normal}, {"diffuse", Incidence::Diffuse}}));
     }
     command->add_option("--paths", options->run.paths, "How many paths of light")
-        ->check(CLI::Range(std::uint64_t{128}, std::uint64_t{1} << 40))
+        ->check(Within(std::uint64_t{128}, std::uint64_t{1} << 40))
         ->capture_default_str();
     command->add_option("--seed", options->run.seed, "Seed of the random numbers")
         ->capture_default_str();

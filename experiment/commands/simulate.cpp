@@ -1,6 +1,7 @@
 // pairlight simulate: a whole experiment by simulated observers, through the same session code.
 #include "experiment/commands/commands.h"
 #include "experiment/commands/sittings.h"
+#include "experiment/commands/within.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -24,7 +25,7 @@ void add_simulate(CLI::App& program) {
         "A whole experiment by simulated observers; their votes are marked as such everywhere");
     command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
     command->add_option("--observers", options->observers, "How many")
-        ->check(CLI::Range(1, 999))
+        ->check(Within(1, 999))
         ->required();
     command->add_option(
         "--observer-spec", options->specification,

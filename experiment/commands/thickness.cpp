@@ -1,5 +1,6 @@
 // pairlight thickness: how much material lies between a model's vertices and the light, as a table.
 #include "experiment/commands/commands.h"
+#include "experiment/commands/within.h"
 #include "experiment/directions_file.h"
 #include "experiment/models.h"
 #include "experiment/progress.h"
@@ -89,13 +90,13 @@ void add_thickness(CLI::App& program) {
     command
         ->add_option("--bands", options->bands,
                      "Reconstruct from this many bands, n^2 coefficients")
-        ->check(CLI::Range(1, 6))
+        ->check(Within(1, 6))
         ->capture_default_str()
         ->excludes(exact);
     command
         ->add_option("--mm-per-unit", options->mm_per_unit,
                      "Millimetres to a model unit; without it, model units")
-        ->check(CLI::Range(1e-9, 1e9));
+        ->check(Within(1e-9, 1e9));
     command->add_option("--csv", options->csv, "The file to write; without it, standard output");
     add_voice(*command, options->voice);
     command->callback([options] {

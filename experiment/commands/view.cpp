@@ -1,5 +1,6 @@
 // pairlight view: a study or a model in real time, under the hand.
 #include "experiment/commands/commands.h"
+#include "experiment/commands/within.h"
 #include "experiment/progress.h"
 #include "experiment/viewer/exhibit.h"
 #include "experiment/viewer/keys.h"
@@ -83,10 +84,10 @@ void add_view(CLI::App& program) {
     command
         ->add_option("--diameter", options->model.diameter_mm,
                      "How large a model is made: diameter of its bounding sphere, mm")
-        ->check(CLI::Range(1e-6, 1e9))
+        ->check(Within(1e-6, 1e9))
         ->capture_default_str();
     command->add_option("--size", options->size, "Width and height of the window, pixels")
-        ->check(CLI::Range(1, 16384))
+        ->check(Within(1, 16384))
         ->capture_default_str();
     command->add_option("--press", options->strokes,
                         "Keys pressed at the start, such as S T Shift+Left");

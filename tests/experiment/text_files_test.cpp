@@ -43,4 +43,13 @@ TEST_F(TextFiles, KeepTheOldOneWhenWritingFails) {
     EXPECT_EQ(read_text_file(folder / "file"), "old");
 }
 
+TEST(TextFilesOnDevices, WriteIntoADeviceWithoutReplacingIt) {
+    EXPECT_TRUE(experiment::write_text_file("/dev/null", "text"));
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+    const auto full = experiment::write_text_file("/dev/full", "text");
+    ASSERT_FALSE(full);
+    EXPECT_THAT(full.error(), testing::HasSubstr("/dev/full: cannot be written"));
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
 } // namespace

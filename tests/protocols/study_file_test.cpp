@@ -442,12 +442,16 @@ TEST(StudyFile, WithADialItsMethodCannotTakeIsRefused) {
 
 TEST(StudyFile, MayGiveAConditionCoefficientsOfItsOwn) {
     const std::string k = "[condition.k.bunny]\nambient = [0, 0, 0]\ndiffuse = [0.1, 0.2, 0.3]\n"
-                          "scatter = [1, 1, 1]\n";
+                          "specular = [0, 0, 0]\nscatter = [1, 1, 1]\n";
     const auto study = parsed(minimal + k);
     EXPECT_EQ(std::get<Rendering>(study.conditions.at(1).source).k,
               (std::map<std::string, ShadingCoefficients>{
                   {"bunny", {{0, 0, 0}, {0.1, 0.2, 0.3}, {0, 0, 0}, {1, 1, 1}}}}));
-    EXPECT_EQ(complaint(minimal + "[condition.k.horse]\n"),
+    EXPECT_EQ(complaint(minimal + "[condition.k.bunny]\nambient = [0, 0, 0]\n"),
+              "21: [condition.k.bunny] has no 'diffuse', expected three numbers");
+    auto of_a_horse = k;
+    of_a_horse.replace(of_a_horse.find("bunny"), 5, "horse");
+    EXPECT_EQ(complaint(minimal + of_a_horse),
               "18: condition 'plain' has coefficients for 'horse', expected the id of a scene");
     EXPECT_THAT(complaint(minimal + k + "gloss = 3\n"), testing::HasSubstr("unknown key 'gloss'"));
     EXPECT_THAT(complaint(minimal + "[condition.k.bunny]\ndiffuse = [-1, 0, 0]\n"),
