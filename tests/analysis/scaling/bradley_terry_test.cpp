@@ -94,7 +94,7 @@ TEST(BradleyTerry, AnswersTheHardCases) {
         const auto fit = fit_bradley_terry(counts);
         EXPECT_EQ(fit.existence.scale == Scale::Finite, expected.at("mle_finite").get<bool>())
             << name;
-        // The bound of the issue; a ratio of 1e15 leaves the smaller probability 15 digits.
+        // 1e-10 is promised of every fit; a ratio of 1e15 leaves the smaller probability 15 digits.
         constexpr double tolerance = 1e-10;
         if (expected.contains("bradley_terry")) {
             EXPECT_EQ(fit.estimate, Estimate::MaximumLikelihood);
