@@ -111,12 +111,12 @@ void add_analyze(CLI::App& program) {
     command
         ->add_option("--level", options->analysis.level,
                      "Level of tests; intervals hold at one minus it")
-        ->check(Within(1e-6, 0.5))
+        ->check(within(1e-6, 0.5))
         ->capture_default_str();
     command
         ->add_option("--replicates", options->analysis.bootstrap_replicates,
                      "How often observers are drawn again for the intervals of the scales")
-        ->check(Within(100, 1'000'000))
+        ->check(within(100, 1'000'000))
         ->capture_default_str();
     command->add_option("--seed", options->analysis.bootstrap_seed, "Seed of those draws")
         ->capture_default_str();

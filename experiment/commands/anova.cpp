@@ -78,10 +78,10 @@ void add_anova(CLI::App& program) {
                         "The column of whoever was measured again and again, such as observer: "
                         "factors that vary within it are tested within it");
     command->add_option("--type", options->type, "Type of the sums of squares: 1, 2 or 3")
-        ->check(Within(1, 3))
+        ->check(within(1, 3))
         ->capture_default_str();
     command->add_option("--level", options->level, "Level of the tests")
-        ->check(Within(1e-12, 0.5))
+        ->check(within(1e-12, 0.5))
         ->capture_default_str();
     command->add_option("--control", options->control,
                         "Compare the levels of a single factor with this one (Dunnett)");

@@ -139,7 +139,7 @@ void add_compare(CLI::App& program) {
     command
         ->add_option("--pixels-per-degree", options->pixels_per_degree,
                      "Of the observer's visual angle, for FLIP")
-        ->check(Within(1.0, 1000.0))
+        ->check(within(1.0, 1000.0))
         ->capture_default_str();
     add_voice(*command, options->voice);
     command->callback([options] { run(*options); });

@@ -228,7 +228,7 @@ void add_timing_check(CLI::App& program) {
         program.add_subcommand("timing-check", "Whether the screen keeps time: swaps, measured");
     add_seat(*command, *options);
     command->add_option("--swaps", options->swaps, "How many")
-        ->check(Within(10, 100000))
+        ->check(within(10, 100000))
         ->capture_default_str();
     command->callback([options] { run_timing_check(*options); });
 }

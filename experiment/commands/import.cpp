@@ -133,7 +133,7 @@ void add_import(CLI::App& program) {
         ->check(CLI::IsMember({"clip", "reinhard"}));
     command
         ->add_option("--exposure", options->exposure, "Stops by which light is lifted first (EXR)")
-        ->check(Within(-20.0, 20.0))
+        ->check(within(-20.0, 20.0))
         ->capture_default_str();
     command
         ->add_option_function<std::string>(

@@ -193,17 +193,17 @@ void add_picture_options(CLI::App& command, const std::shared_ptr<Options>& opti
         ->check(CLI::IsMember(renderer::measured_names()))
         ->capture_default_str();
     command.add_option("--diameter-mm", options->look.diameter_mm, "Of a model's bounding sphere")
-        ->check(Within(1e-6, 1e6))
+        ->check(within(1e-6, 1e6))
         ->capture_default_str();
     command.add_option("--turn-degrees", options->look.turn_degrees, "Of a model")
-        ->check(Within(-360, 360));
-    command.add_option("--up", options->look.up, "Of a model")->check(Within(-1e9, 1e9));
+        ->check(within(-360, 360));
+    command.add_option("--up", options->look.up, "Of a model")->check(within(-1e9, 1e9));
     command
         .add_option("--to-light", options->to_light,
                     "For a model: toward the light, x right, y up, z toward the viewer")
-        ->check(Within(-1e9, 1e9));
+        ->check(within(-1e9, 1e9));
     command.add_option("--size", options->size, "For a model: pixels along an edge")
-        ->check(Within(8, 8192))
+        ->check(within(8, 8192))
         ->capture_default_str();
     command.add_option("--boundary", options->boundary, "What the surface does to light")
         ->check(CLI::IsMember({"matched", "smooth", "rough"}))
@@ -212,12 +212,12 @@ void add_picture_options(CLI::App& command, const std::shared_ptr<Options>& opti
         ->capture_default_str();
     command
         .add_option("--anisotropy", options->anisotropy, "Henyey-Greenstein's g, at one sigma_s'")
-        ->check(Within(-0.999, 0.999))
+        ->check(within(-0.999, 0.999))
         ->capture_default_str();
     command
         .add_option("--sun-degrees", options->sun_degrees,
                     "Half-angle of the light; 0: all from one direction")
-        ->check(Within(0.0, 90.0))
+        ->check(within(0.0, 90.0))
         ->capture_default_str();
 }
 
@@ -231,12 +231,12 @@ void add_reference(CLI::App& program) {
     command
         ->add_option("--relative-error", options->rule.relative,
                      "95 % half-width of a pixel over its light that is good enough")
-        ->check(Within(1e-5, 1.0))
+        ->check(within(1e-5, 1.0))
         ->capture_default_str();
     command
         ->add_option("--seconds", options->seconds,
                      "Stop after so long with the best picture so far")
-        ->check(Within(0.0, 1e9));
+        ->check(within(0.0, 1e9));
     command->add_option("--seed", options->seed, "Seed of the random numbers")
         ->capture_default_str();
     command->add_option("--out", options->out,

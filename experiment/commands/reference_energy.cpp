@@ -121,20 +121,20 @@ void add_shape(CLI::App& reference, const char* name, const char* description, E
     auto* command = reference.add_subcommand(name, description);
     auto& problem = options->problem;
     command->add_option("--albedo", problem.albedo, "Scattered share of what collides")
-        ->check(Within(0.0, 1.0))
+        ->check(within(0.0, 1.0))
         ->capture_default_str();
     command->add_option("--anisotropy", problem.anisotropy, "Henyey-Greenstein's g")
-        ->check(Within(-0.999, 0.999))
+        ->check(within(-0.999, 0.999))
         ->capture_default_str();
     if (shape != EnergyShape::HalfSpace)
         command
             ->add_option("--optical-thickness", problem.optical_thickness,
                          shape == EnergyShape::Slab ? "Mean free paths across"
                                                     : "Mean free paths in a radius")
-            ->check(Within(1e-9, 1e9))
+            ->check(within(1e-9, 1e9))
             ->capture_default_str();
     command->add_option("--index", problem.index, "Refractive index, inside over outside")
-        ->check(Within(0.2, 5.0))
+        ->check(within(0.2, 5.0))
         ->capture_default_str();
     command
         ->add_option("--boundary", options->boundary,
@@ -157,7 +157,7 @@ void add_shape(CLI::App& reference, const char* name, const char* description, E
                 {"normal", Incidence::Normal}, {"diffuse", Incidence::Diffuse}}));
     }
     command->add_option("--paths", options->run.paths, "How many paths of light")
-        ->check(Within(std::uint64_t{128}, std::uint64_t{1} << 40))
+        ->check(within(std::uint64_t{128}, std::uint64_t{1} << 40))
         ->capture_default_str();
     command->add_option("--seed", options->run.seed, "Seed of the random numbers")
         ->capture_default_str();

@@ -25,7 +25,7 @@ void add_simulate(CLI::App& program) {
         "A whole experiment by simulated observers; their votes are marked as such everywhere");
     command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
     command->add_option("--observers", options->observers, "How many")
-        ->check(Within(1, 999))
+        ->check(within(1, 999))
         ->required();
     command->add_option(
         "--observer-spec", options->specification,

@@ -90,13 +90,13 @@ void add_thickness(CLI::App& program) {
     command
         ->add_option("--bands", options->bands,
                      "Reconstruct from this many bands, n^2 coefficients")
-        ->check(Within(1, 6))
+        ->check(within(1, 6))
         ->capture_default_str()
         ->excludes(exact);
     command
         ->add_option("--mm-per-unit", options->mm_per_unit,
                      "Millimetres to a model unit; without it, model units")
-        ->check(Within(1e-9, 1e9));
+        ->check(within(1e-9, 1e9));
     command->add_option("--csv", options->csv, "The file to write; without it, standard output");
     add_voice(*command, options->voice);
     command->callback([options] {

@@ -84,10 +84,10 @@ void add_view(CLI::App& program) {
     command
         ->add_option("--diameter", options->model.diameter_mm,
                      "How large a model is made: diameter of its bounding sphere, mm")
-        ->check(Within(1e-6, 1e9))
+        ->check(within(1e-6, 1e9))
         ->capture_default_str();
     command->add_option("--size", options->size, "Width and height of the window, pixels")
-        ->check(Within(1, 16384))
+        ->check(within(1, 16384))
         ->capture_default_str();
     command->add_option("--press", options->strokes,
                         "Keys pressed at the start, such as S T Shift+Left");
