@@ -24,7 +24,7 @@ std::size_t bytes_of(ComponentType type);
 /// So many vertices, one after the other, make a block.  Neighbours are alike: within a block a
 /// coefficient spans a third of what it spans over the mesh, if vertices lie in an order that keeps
 /// neighbours together (geometry::along_morton_curve).  Smaller blocks are finer and cost more.
-inline constexpr std::size_t block_vertices = 256;
+inline constexpr std::size_t block_vertices = 128;
 
 /// Bands first_band..last_band of all vertices, vertex by vertex without padding, native byte
 /// order: bands 0 and 1 together (4 components), then a stream for each band (5, 7, 9, ...).

@@ -209,8 +209,8 @@ TEST_F(Shss, SendsOnlyTheBandsAskedFor) {
                 ShssSettings{.bands = {.bands = static_cast<int>(bands)}, .coefficients = type},
                 &field);
             ASSERT_TRUE(method->update(scene_of(sphere, {0, 0, 1})));
-            // and 16 bytes of ranges for each four components of this one block of bytes
-            const std::size_t ranges = type == ComponentType::Int8 ? 16 * slots[bands - 1] : 0;
+            // and 16 bytes of ranges for each four components of the two blocks of bytes
+            const std::size_t ranges = type == ComponentType::Int8 ? 2 * 16 * slots[bands - 1] : 0;
             EXPECT_EQ(method->cost().bytes_per_vertex,
                       std::lround(static_cast<double>(bands * bands * each) +
                                   static_cast<double>(ranges) / 162));

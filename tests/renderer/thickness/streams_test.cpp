@@ -132,7 +132,7 @@ TEST(Streams, NeverErrByMoreThanTheBound) {
 }
 
 TEST(Streams, RoundEachCoefficientToTheNearestStepOfItsBlock) {
-    const auto field = sphere_field(5, 300); // two blocks
+    const auto field = sphere_field(5, 300); // three blocks
     for (const auto& stream : band_streams(field, 5, ComponentType::Int8)) {
         const auto read = coefficients_of(band_streams(field, 5, ComponentType::Int8));
         for (std::size_t v = 0; v < 300; ++v)
@@ -141,7 +141,7 @@ TEST(Streams, RoundEachCoefficientToTheNearestStepOfItsBlock) {
                     v * 25 + static_cast<std::size_t>(stream.first_band * stream.first_band) + k;
                 float least = INFINITY, most = -INFINITY;
                 const std::size_t begin = v / block_vertices * block_vertices;
-                for (std::size_t u = begin; u < std::min<std::size_t>(300, begin + 256); ++u) {
+                for (std::size_t u = begin; u < std::min<std::size_t>(300, begin + block_vertices); ++u) {
                     const float c = field.coefficients[u * 25 + (i - v * 25)];
                     least = std::min(least, c);
                     most = std::max(most, c);
@@ -160,7 +160,7 @@ TEST(Streams, RoundEachCoefficientToTheNearestStepOfItsBlock) {
 // Blocks are whole but for the last; one alone, and one vertex more than a block.
 TEST(Streams, HaveARangeForEachComponentOfEachBlock) {
     for (const auto& [vertices, blocks] :
-         std::vector<std::pair<int, std::size_t>>{{1, 1}, {256, 1}, {257, 2}, {600, 3}}) {
+         std::vector<std::pair<int, std::size_t>>{{1, 1}, {128, 1}, {129, 2}, {300, 3}}) {
         const auto field = random_field(3, vertices);
         for (const auto& stream : band_streams(field, 3, ComponentType::Int8))
             EXPECT_EQ(stream.blocks.size(), blocks * stream.scale.size());
