@@ -4,8 +4,9 @@
 #include "experiment/read_study.h"
 #include "experiment/text_files.h"
 #include "protocols/digest.h"
-#include "renderer/geometry/mesh_repair.h"
 #include "renderer/geometry/model_library.h"
+
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <variant>
@@ -30,8 +31,8 @@ tl::expected<stimuli::ModelRecord, std::string> record_of(const geometry::Model&
 
 } // namespace
 
-tl::expected<LoadedModel, std::string> load_model(const std::string& name,
-                                                  const StudyFolder& folder) {
+tl::expected<LoadedModel, std::string>
+load_model(const std::string& name, const StudyFolder& folder, geometry::Holes holes) {
     const auto model = geometry::find_model(name, {folder.root, model_folders(folder)});
     if (!model)
         return tl::unexpected(model.error());
@@ -41,14 +42,25 @@ tl::expected<LoadedModel, std::string> load_model(const std::string& name,
     auto mesh = geometry::load_model(*model);
     if (!mesh)
         return tl::unexpected(mesh.error());
-    auto prepared = geometry::prepare(std::move(*mesh), record->file);
+    auto prepared = geometry::prepare(std::move(*mesh), record->file, {.holes = holes});
     if (!prepared)
         return tl::unexpected(prepared.error());
     record->vertices = prepared->mesh.positions.size();
     record->triangles = prepared->mesh.triangles.size();
     const auto* file = std::get_if<fs::path>(&*model);
-    return LoadedModel{std::move(prepared->mesh), std::move(*record), describe(prepared->repairs),
+    auto remarks = describe(prepared->repairs);
+    if (prepared->report.boundary.count > 0)
+        remarks.push_back(
+            fmt::format("the surface has holes: {}; inside is where it winds more than half around",
+                        describe_openings(prepared->report)));
+    return LoadedModel{std::move(prepared->mesh), std::move(*record), std::move(remarks),
                        file != nullptr ? *file : fs::path()};
+}
+
+tl::expected<LoadedModel, std::string> load_model(const protocols::Scene& scene,
+                                                  const StudyFolder& folder) {
+    return load_model(scene.model, folder,
+                      scene.may_have_holes ? geometry::Holes::ByWinding : geometry::Holes::Refuse);
 }
 
 } // namespace experiment

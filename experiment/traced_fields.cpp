@@ -68,10 +68,16 @@ void TracedFields::remark(const thickness::SourcedField& sourced) {
             fmt::format("{} bands hold {:.0f} % of the thickness's energy: the walls are thin, and "
                         "most of what glows is invented",
                         sourced.field->bands, 100 * kept));
-    if (const auto& rays = sourced.field->statistics; rays.retried + rays.fallbacks > 0)
+    const auto& rays = sourced.field->statistics;
+    if (rays.retried + rays.fallbacks > 0)
         model_.remarks.push_back(
             fmt::format("{} of {} rays were traced again, {} decided by winding number",
                         rays.retried, rays.rays, rays.fallbacks));
+    if (rays.past_openings > 0)
+        model_.remarks.push_back(fmt::format(
+            "{} of {} rays passed so near an opening that the winding number decided where the "
+            "inside ends",
+            rays.past_openings, rays.rays));
 }
 
 } // namespace experiment

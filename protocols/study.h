@@ -91,8 +91,9 @@ struct Scene {
     std::array<double, 3> up = {0, 1, 0}; ///< which way is up in the model's coordinates
     double diameter_mm = 100;             ///< diameter of the model's bounding sphere in the world
     std::optional<double> mm_per_unit =
-        {};               ///< of the model's coordinates; instead of `diameter_mm`
-    std::string material; ///< one of the study's own, or a measured one, by name
+        {};                      ///< of the model's coordinates; instead of `diameter_mm`
+    std::string material;        ///< one of the study's own, or a measured one, by name
+    bool may_have_holes = false; ///< inside is then where the model winds more than half around
     int line = 0;
 };
 

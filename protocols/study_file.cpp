@@ -174,6 +174,7 @@ Scene read_scene(Section section, const std::vector<std::string>& materials, Pic
     scene.up = section.direction("up", scene.up);
     read_size(section, scene);
     scene.material = section.one_of("material", materials, missing);
+    scene.may_have_holes = section.one_of("holes", {"refuse", "winding"}, "refuse") == "winding";
     section.expect_nothing_else();
     return scene;
 }

@@ -93,7 +93,7 @@ void say_which_order(const Study& study) {
 
 void check_models(const LoadedStudy& loaded, const Voice& voice) {
     for (const auto& scene : loaded.study.scenes) {
-        auto model = load_model(scene.model, loaded.folder);
+        auto model = load_model(scene, loaded.folder);
         if (!model)
             throw CommandError(fmt::format("{}:{}: scene \"{}\": {}",
                                            loaded.folder.study_file().string(), scene.line,

@@ -63,7 +63,7 @@ Targets read_targets(const Options& options,
 std::vector<Fit> fit_scene(const Options& options, const LoadedStudy& loaded, const Scene& scene) {
     const auto variants = shown_variants(loaded.study);
     const auto targets = read_targets(options, loaded, scene, variants);
-    auto model = value_or_stop(load_model(scene.model, loaded.folder));
+    auto model = value_or_stop(load_model(scene, loaded.folder));
     ProgressBar bar(scene.id.value, !options.voice.quiet);
     auto renderer = value_or_stop(stimuli::SceneRenderer::prepare(
         loaded.study, scene, std::move(model), 4, [&](double fraction) { bar.update(fraction); }));

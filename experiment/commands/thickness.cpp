@@ -28,6 +28,7 @@ struct Options {
     int bands = 5;
     int samples = 1024;
     double mm_per_unit = 1;
+    renderer::geometry::Holes holes = renderer::geometry::Holes::Refuse;
     std::string csv;
     Voice voice;
 };
@@ -97,11 +98,16 @@ void add_thickness(CLI::App& program) {
         ->add_option("--mm-per-unit", options->mm_per_unit,
                      "Millimetres to a model unit; without it, model units")
         ->check(within(1e-9, 1e9));
+    command->add_option("--holes", options->holes, "What to do with a surface that is not closed")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, renderer::geometry::Holes>{
+            {"refuse", renderer::geometry::Holes::Refuse},
+            {"winding", renderer::geometry::Holes::ByWinding}}));
     command->add_option("--csv", options->csv, "The file to write; without it, standard output");
     add_voice(*command, options->voice);
     command->callback([options] {
         const auto directions = value_or_stop(read_directions(options->directions));
-        const auto model = value_or_stop(load_model(options->model, StudyFolder{"."}));
+        const auto model =
+            value_or_stop(load_model(options->model, StudyFolder{"."}, options->holes));
         for (const auto& remark : model.remarks)
             options->voice.remark(remark);
         const auto values = measured(*options, model.mesh, directions);

@@ -125,7 +125,7 @@ Expected<void> Run::check_scene_names() const {
 Expected<void> Run::render_scene(const Scene& scene) {
     if (!context_)
         return {};
-    auto model = load_model(scene.model, loaded_.folder);
+    auto model = load_model(scene, loaded_.folder);
     if (!model)
         return tl::unexpected(fmt::format("{}:{}: scene \"{}\": {}",
                                           loaded_.folder.study_file().string(), scene.line,

@@ -105,6 +105,10 @@ Expected<void> SceneRenderer::prepare_contenders(const std::function<void(double
         if (rendering == nullptr)
             continue;
         if (rendering->method == reference_method) {
+            if (!is_closed_and_oriented(renderer::geometry::examine(model_.mesh)))
+                return tl::unexpected(fmt::format("condition \"{}\": the reference walks in closed "
+                                                  "surfaces only, and {} has holes",
+                                                  condition.id.value, model_.record.file));
             contenders_.push_back({&condition, nullptr, {}});
             continue;
         }

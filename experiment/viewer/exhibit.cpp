@@ -105,7 +105,8 @@ Expected<Exhibit> exhibit_of_model(const std::string& name, const ModelOptions& 
                                .label = exhibit.name,
                                .model = name,
                                .diameter_mm = options.diameter_mm,
-                               .material = options.material},
+                               .material = options.material,
+                               .may_have_holes = true}, // any model opens
                               *material});
     add_methods(exhibit);
     return exhibit;

@@ -28,7 +28,7 @@ Stage::Stage(const Piece& piece,
 
 tl::expected<std::unique_ptr<Stage>, std::string>
 Stage::open(const Exhibit& exhibit, const Piece& piece, renderer::thickness::Progress progress) {
-    auto model = load_model(piece.scene.model, exhibit.folder);
+    auto model = load_model(piece.scene, exhibit.folder);
     if (!model)
         return tl::unexpected(model.error());
     model->mesh = renderer::geometry::along_morton_curve(model->mesh); // as for stimuli

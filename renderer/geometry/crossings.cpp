@@ -48,6 +48,7 @@ RayStatistics& RayStatistics::operator+=(const RayStatistics& other) {
     rays += other.rays;
     retried += other.retried;
     fallbacks += other.fallbacks;
+    past_openings += other.past_openings;
     return *this;
 }
 
@@ -75,20 +76,21 @@ void InteriorTracer::follow_bundle(std::span<const std::uint32_t> vertices, glm:
 std::span<const Segment>
 InteriorTracer::from_bundle(std::size_t i, std::uint32_t vertex, glm::dvec3 direction) {
     ++statistics_.rays;
-    if (bundle_[i].empty())
+    if (bundle_[i].empty() && open_ == nullptr)
         return {}; // as for every second ray
     doubtful_.clear();
     hits_.swap(bundle_[i]);
     const Origin origin{scene_->positions()[vertex], vertex};
     order_hits(origin);
-    return resolve_hits() ? finished() : trace_again(origin, direction);
+    return resolve_hits() ? finished(origin, direction) : trace_again(origin, direction);
 }
 
 std::span<const Segment> InteriorTracer::trace(const Origin& origin, glm::dvec3 direction) {
     EXPECTS(is_unit(direction));
     ++statistics_.rays;
     doubtful_.clear();
-    return resolve(origin, direction) ? finished() : trace_again(origin, direction);
+    return resolve(origin, direction) ? finished(origin, direction)
+                                      : trace_again(origin, direction);
 }
 
 /// The ray itself left a doubt: asks beside it, and in the end for winding numbers.
@@ -97,15 +99,24 @@ std::span<const Segment> InteriorTracer::trace_again(const Origin& origin, glm::
     int attempt = 1;
     while (attempt < attempts && !resolve(origin, jittered(direction, attempt)))
         ++attempt;
-    if (attempt == attempts) {
-        ++statistics_.fallbacks;
-        classify_gaps(origin, direction);
-    }
-    return finished();
+    if (attempt < attempts)
+        return finished(origin, direction);
+    ++statistics_.fallbacks;
+    classify_gaps(origin, direction);
+    return in_model_units();
 }
 
-/// Nearest first, in model units.
-std::span<const Segment> InteriorTracer::finished() {
+/// The crossings are sure; what they enclose is too, unless an opening is near.
+std::span<const Segment> InteriorTracer::finished(const Origin& origin, glm::dvec3 direction) {
+    if (open_ != nullptr && open_->may_matter(origin.position, direction)) {
+        ++statistics_.past_openings;
+        open_->follow(origin.position, direction, hits_, segments_);
+    }
+    return in_model_units();
+}
+
+/// Nearest first.
+std::span<const Segment> InteriorTracer::in_model_units() {
     std::reverse(segments_.begin(), segments_.end());
     for (auto& [begin, end] : segments_) {
         begin *= scene_->model_per_scene();
@@ -216,13 +227,19 @@ void InteriorTracer::classify_gaps(const Origin& origin, glm::dvec3 direction) {
         if (end - begin <= shortest_gap)
             continue;
         const glm::dvec3 middle = glm::dvec3(origin.position) + 0.5 * (begin + end) * direction;
-        if (winding_number(scene_->positions(), scene_->triangles(), middle) <= 0.5)
+        if (winding(middle) <= 0.5)
             continue;
         if (!segments_.empty() && segments_.back().begin - end <= shortest_gap)
             segments_.back().begin = begin;
         else
             segments_.push_back({begin, end});
     }
+}
+
+/// In scene coordinates, and around the surface without its covers.
+double InteriorTracer::winding(glm::dvec3 point) const {
+    return open_ != nullptr ? open_->winding(point)
+                            : winding_number(scene_->positions(), scene_->triangles(), point);
 }
 
 bool InteriorTracer::share_a_corner(std::uint32_t a, std::uint32_t b) const {

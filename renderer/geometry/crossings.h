@@ -4,9 +4,11 @@
 // and the state at the origin is derived, never guessed from a normal.  A count outside what one
 // body gives is asked again a hair beside: where the surface overlaps or folds through itself (most
 // scans do somewhere), the neighbour sees the same; where a ray grazed an edge, it does not.  When
-// no two rays agree, every gap between crossings is classified by its winding number.
+// no two rays agree, every gap between crossings is classified by its winding number.  Near the
+// openings of a surface that is not closed, winding numbers decide where the inside ends.
 #pragma once
 
+#include "renderer/geometry/openings.h"
 #include "renderer/geometry/ray_scene.h"
 
 #include <algorithm>
@@ -18,22 +20,17 @@
 
 namespace renderer::geometry {
 
-/// A stretch of a ray inside the material: distances from the origin, model units, begin < end.
-struct Segment {
-    double begin = 0; ///< exactly 0 when the ray starts inside
-    double end = 0;
-};
-
 /// What the tracing met, over all rays.
 struct RayStatistics {
     std::uint64_t rays = 0;
-    std::uint64_t retried = 0;   ///< asked again with the direction jittered
-    std::uint64_t fallbacks = 0; ///< classified by winding number in the end
+    std::uint64_t retried = 0;       ///< asked again with the direction jittered
+    std::uint64_t fallbacks = 0;     ///< classified by winding number in the end
+    std::uint64_t past_openings = 0; ///< so near an opening that the winding number had to decide
 
     RayStatistics& operator+=(const RayStatistics& other);
 };
 
-/// Follows rays through one closed surface, one at a time; every thread makes its own.  The answers
+/// Follows rays through one surface, one at a time; every thread makes its own.  The answers
 /// depend on the ray alone, not on what was asked before.
 ///
 /// Overlapping bodies of one material count once; a component that faces inward is a cavity; where
@@ -42,6 +39,10 @@ class InteriorTracer {
   public:
     /// `scene` must outlive the tracer.
     explicit InteriorTracer(const RayScene& scene) : scene_(&scene) {}
+
+    /// Of a surface with openings; `scene` shows it with its covers.  Both must outlive the tracer.
+    InteriorTracer(const RayScene& scene, const OpenInterior& interior)
+        : scene_(&scene), open_(&interior) {}
 
     /// Stretches inside the material on the ray from a vertex of the mesh, nearest first.  The
     /// triangles that meet in the vertex are not crossings.  Valid until the next question.
@@ -78,7 +79,8 @@ class InteriorTracer {
     std::span<const Segment> from_bundle(std::size_t i, std::uint32_t vertex, glm::dvec3 direction);
     std::span<const Segment> trace(const Origin& origin, glm::dvec3 direction);
     std::span<const Segment> trace_again(const Origin& origin, glm::dvec3 direction);
-    std::span<const Segment> finished();
+    std::span<const Segment> finished(const Origin& origin, glm::dvec3 direction);
+    std::span<const Segment> in_model_units();
     bool resolve(const Origin& origin, glm::dvec3 direction);
     bool resolve_hits();
     void collect(const Origin& origin, glm::dvec3 direction);
@@ -89,7 +91,10 @@ class InteriorTracer {
     void classify_gaps(const Origin& origin, glm::dvec3 direction);
     bool share_a_corner(std::uint32_t a, std::uint32_t b) const;
 
+    double winding(glm::dvec3 point) const;
+
     const RayScene* scene_;
+    const OpenInterior* open_ = nullptr; // of a surface with openings
     RayStatistics statistics_;
     std::vector<Hit> hits_;         // of the ray in hand, farthest first
     std::vector<Segment> segments_; // of the ray in hand

@@ -2,6 +2,7 @@
 #include "renderer/geometry/mesh_repair.h"
 
 #include "renderer/contract.h"
+#include "renderer/geometry/openings.h"
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
@@ -137,6 +138,11 @@ std::size_t drop_unused(Mesh& mesh) {
     return dropped;
 }
 
+/// With openings covered; without, a volume depends on where the origin lies.
+double enclosed_volume(const Mesh& mesh) {
+    return signed_volume(cover_openings(mesh).mesh);
+}
+
 void flip(Mesh& mesh) {
     for (auto& triangle : mesh.triangles)
         std::swap(triangle[1], triangle[2]);
@@ -171,15 +177,17 @@ Expected<PreparedMesh> prepare(Mesh mesh, std::string_view name, const RepairOpt
     if (report.triangles == 0)
         return tl::unexpected(
             fmt::format("{}: no triangle has an area, expected a solid body", name));
-    if (!is_closed_and_oriented(report))
+    const bool may_gape = is_oriented_but_for_openings(report);
+    if (!is_closed_and_oriented(report) && !(may_gape && options.holes == Holes::ByWinding))
         return tl::unexpected(fmt::format(
             "{}: the surface is not closed and consistently oriented, so it has no inside "
-            "to measure: {}; mend it in a mesh editor, or choose a closed model",
-            name, describe_openings(report)));
-    if (!(report.volume > 0))
-        return tl::unexpected(
-            fmt::format("{}: the surface encloses a volume of {:.6g}, expected more than 0", name,
-                        report.volume));
+            "to measure: {}; mend it in a mesh editor{}, or choose a closed model",
+            name, describe_openings(report),
+            may_gape ? ", take what it winds around for its inside (holes = \"winding\")" : ""));
+    const double volume = enclosed_volume(prepared.mesh);
+    if (!(volume > 0))
+        return tl::unexpected(fmt::format(
+            "{}: the surface encloses a volume of {:.6g}, expected more than 0", name, volume));
     return prepared;
 }
 

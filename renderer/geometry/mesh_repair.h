@@ -12,10 +12,17 @@
 
 namespace renderer::geometry {
 
+/// What `prepare` does with edges of one triangle.
+enum class Holes {
+    Refuse,
+    ByWinding ///< keeps them: inside is where the surface winds more than half around (openings.h)
+};
+
 struct RepairOptions {
     /// Vertices nearer than this fraction of the bounding sphere's diameter become one, 0..1e-3;
     /// with 0 only those that are equal.  1e-7 suits files that were rounded when written.
     double weld_within = 0;
+    Holes holes = Holes::Refuse;
 };
 
 /// What was changed.
@@ -40,7 +47,8 @@ struct PreparedMesh {
 /// order; a welded vertex lies where the first of its kind did.  Nothing is filled, cut or moved.
 PreparedMesh repair(Mesh mesh, const RepairOptions& options = {});
 
-/// Repairs, and makes sure of what thickness needs: closed, consistently oriented, facing outward.
+/// Repairs, and makes sure of what thickness needs: closed (or allowed not to be), consistently
+/// oriented, facing outward.
 /// Errors: "<name>: ..." with the number of edges that speak against it and where the first lies.
 Expected<PreparedMesh> prepare(Mesh mesh, std::string_view name, const RepairOptions& options = {});
 

@@ -187,6 +187,10 @@ bool is_closed_and_oriented(const MeshReport& report) {
     return report.triangles > 0 && report.unbalanced.count == 0;
 }
 
+bool is_oriented_but_for_openings(const MeshReport& report) {
+    return report.triangles > 0 && report.unbalanced.count == report.boundary.count;
+}
+
 MeshReport examine(const Mesh& mesh) {
     MeshReport report;
     report.vertices = mesh.positions.size();

@@ -45,6 +45,11 @@ MeshReport examine(const Mesh& mesh);
 /// way out: what thickness needs.  Edges with more than two triangles may be among them.
 bool is_closed_and_oriented(const MeshReport& report);
 
+/// Every edge that is not so has one triangle: then the edges that are left are the rims of
+/// openings, and a surface that winds around most of what it holds still has an inside
+/// (openings.h).
+bool is_oriented_but_for_openings(const MeshReport& report);
+
 /// Whether a triangle's height is more than 1e-12 of its longest edge.  Less is rounding: doubles
 /// near the edge's length differ by 1e-16 of it.
 bool has_area(const Mesh& mesh, const Triangle& triangle);

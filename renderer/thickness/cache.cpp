@@ -33,7 +33,7 @@ using Bytes = std::vector<std::byte>;
 constexpr std::array<char, 8> magic{'P', 'L', 't', 'h', 'i', 'c', 'k', '\n'};
 constexpr std::uint32_t byte_order = 0x01020304; // another machine's reads 0x04030201
 // Grows with every change of this format and of what tracing computes.
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 constexpr std::uint32_t fibonacci_scheme = 0;
 
 struct Header {
@@ -150,6 +150,7 @@ void put_summary(Writer& out, const ThicknessField& field) {
     out.put(field.statistics.rays);
     out.put(field.statistics.retried);
     out.put(field.statistics.fallbacks);
+    out.put(field.statistics.past_openings);
 }
 
 void get_summary(Reader& in, ThicknessField& field) {
@@ -166,6 +167,7 @@ void get_summary(Reader& in, ThicknessField& field) {
     field.statistics.rays = in.get<std::uint64_t>();
     field.statistics.retried = in.get<std::uint64_t>();
     field.statistics.fallbacks = in.get<std::uint64_t>();
+    field.statistics.past_openings = in.get<std::uint64_t>();
 }
 
 void put_bins(Writer& out, const NormalBins& bins) {

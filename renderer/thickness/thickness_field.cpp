@@ -4,6 +4,7 @@
 #include "renderer/contract.h"
 #include "renderer/geometry/crossings.h"
 #include "renderer/geometry/morton_order.h"
+#include "renderer/geometry/openings.h"
 #include "renderer/harmonics/basis.h"
 #include "renderer/harmonics/directions.h"
 #include "renderer/harmonics/projection.h"
@@ -20,8 +21,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <numeric>
+#include <optional>
 
 namespace renderer::thickness {
 
@@ -140,6 +143,39 @@ harmonics::DirectionSet in_morton_order(const harmonics::DirectionSet& set) {
     return ordered;
 }
 
+/// The mesh as rays meet it; where it has openings, with what decides there.
+class Solid {
+  public:
+    /// Errors: what is no solid, see traceable.h.
+    static Expected<std::unique_ptr<Solid>> of(const Mesh& mesh) {
+        if (auto solid = check_solid(mesh); !solid)
+            return tl::unexpected(solid.error());
+        auto solid = std::make_unique<Solid>(geometry::cover_openings(mesh));
+        if (auto outward = check_components_face_outward(solid->scene()); !outward)
+            return tl::unexpected(outward.error());
+        return solid;
+    }
+
+    explicit Solid(const geometry::CoveredMesh& covered)
+        : scene_(covered.mesh), vertices_(covered.own_vertices) {
+        if (covered.own_triangles < covered.mesh.triangles.size())
+            interior_.emplace(scene_, covered.own_triangles);
+    }
+
+    const RayScene& scene() const { return scene_; }
+
+    InteriorTracer tracer() const {
+        return interior_ ? InteriorTracer(scene_, *interior_) : InteriorTracer(scene_);
+    }
+
+    std::span<const glm::vec3> vertices() const { return scene_.positions().first(vertices_); }
+
+  private:
+    RayScene scene_;
+    std::size_t vertices_;
+    std::optional<geometry::OpenInterior> interior_;
+};
+
 struct Projection {
     harmonics::DirectionSet set;
     std::vector<double> rows; ///< of harmonics::projection_rows
@@ -166,7 +202,7 @@ void accumulate(std::span<const double> values,
 
 /// What every block needs to know.
 struct Task {
-    const RayScene& scene;
+    const Solid& solid;
     Kind kind;
     Projection projection;
     std::vector<std::uint64_t> shares; ///< of the vertices
@@ -179,7 +215,8 @@ void project_block(const Task& task,
                    Totals& totals,
                    ThicknessField& field) {
     const auto n = static_cast<std::size_t>(harmonics::coefficient_count(field.bands));
-    InteriorTracer tracer(task.scene);
+    InteriorTracer tracer = task.solid.tracer();
+    const double model_per_scene = task.solid.scene().model_per_scene();
     LengthHistogram& lengths = totals.lengths.local();
     std::vector<double> coefficients(block.size() * n), values;
     const auto& [directions, weights] = task.projection.set;
@@ -194,7 +231,7 @@ void project_block(const Task& task,
                 const auto v = block[i];
                 values[i * count + j] = d;
                 field.energy[v] += weight * d * d;
-                lengths.add(static_cast<float>(d / task.scene.model_per_scene()), task.shares[v]);
+                lengths.add(static_cast<float>(d / model_per_scene), task.shares[v]);
             };
             trace_block(tracer, task.kind, block, directions[first + j], proceedings, take);
         }
@@ -218,14 +255,15 @@ Expected<void> trace_field(const Task& task,
                            const Progress& progress,
                            const std::stop_token& stop,
                            ThicknessField& field) {
-    const std::size_t vertices = task.scene.positions().size();
+    const std::size_t vertices = task.solid.vertices().size();
+    const double model_per_scene = task.solid.scene().model_per_scene();
     Proceedings proceedings(static_cast<double>(vertices) *
                                 static_cast<double>(task.projection.set.directions.size()),
                             stop);
     Totals totals;
     std::mutex progress_mutex;
     std::size_t finished = 0;
-    for_each_block(geometry::morton_order(task.scene.positions()),
+    for_each_block(geometry::morton_order(task.solid.vertices()),
                    [&](std::span<const std::uint32_t> block) {
                        if (!proceedings.go_on())
                            return;
@@ -242,9 +280,8 @@ Expected<void> trace_field(const Task& task,
     totals.lengths.combine_each([&](const LengthHistogram& part) { lengths += part; });
     totals.statistics.combine_each([&](const RayStatistics& part) { field.statistics += part; });
     for (const double fraction : {0.5, 0.9, 0.95, 0.99, 0.995, 0.999})
-        field.percentiles.push_back(
-            {fraction, lengths.percentile(fraction) * task.scene.model_per_scene()});
-    field.d_n = lengths.percentile(0.995) * task.scene.model_per_scene();
+        field.percentiles.push_back({fraction, lengths.percentile(fraction) * model_per_scene});
+    field.d_n = lengths.percentile(0.995) * model_per_scene;
     return {};
 }
 
@@ -260,19 +297,16 @@ Expected<ThicknessField> compute_thickness_field(const geometry::Mesh& mesh,
         return tl::unexpected(fmt::format("{} directions cannot carry {} coefficients, expected {} "
                                           "or more",
                                           options.directions, n, 2 * n));
-    if (auto closed = check_closed(mesh); !closed)
-        return tl::unexpected(closed.error());
-
-    const RayScene scene(mesh);
-    if (auto outward = check_components_face_outward(scene); !outward)
-        return tl::unexpected(outward.error());
+    const auto solid = Solid::of(mesh);
+    if (!solid)
+        return tl::unexpected(solid.error());
     ThicknessField field;
     field.bands = options.bands;
     field.options = options;
     field.bounds = geometry::bounding_sphere(mesh);
     field.coefficients.resize(mesh.positions.size() * static_cast<std::size_t>(n));
     field.energy.resize(mesh.positions.size());
-    const Task task{scene, options.kind, projection_of(options), surface_shares(mesh)};
+    const Task task{**solid, options.kind, projection_of(options), surface_shares(mesh)};
     if (auto traced = trace_field(task, progress, stop, field); !traced)
         return tl::unexpected(traced.error());
     field.normal_bins = bin_by_normal(mesh, field.coefficients, field.bands);
@@ -293,16 +327,14 @@ reconstruct(const ThicknessField& field, std::size_t v, std::span<const double> 
 
 Expected<std::vector<double>>
 trace_thickness(const geometry::Mesh& mesh, Kind kind, std::span<const glm::dvec3> directions) {
-    if (auto closed = check_closed(mesh); !closed)
-        return tl::unexpected(closed.error());
-    const RayScene scene(mesh);
-    if (auto outward = check_components_face_outward(scene); !outward)
-        return tl::unexpected(outward.error());
+    const auto solid = Solid::of(mesh);
+    if (!solid)
+        return tl::unexpected(solid.error());
     std::vector<double> result(mesh.positions.size() * directions.size());
     Proceedings proceedings(static_cast<double>(result.size()), {});
     for_each_block(
-        geometry::morton_order(scene.positions()), [&](std::span<const std::uint32_t> block) {
-            InteriorTracer tracer(scene);
+        geometry::morton_order((*solid)->vertices()), [&](std::span<const std::uint32_t> block) {
+            InteriorTracer tracer = (*solid)->tracer();
             for (std::size_t k = 0; k < directions.size() && proceedings.go_on(); ++k)
                 trace_block(tracer, kind, block, directions[k], proceedings, [&](auto i, double d) {
                     result[block[i] * directions.size() + k] = d;

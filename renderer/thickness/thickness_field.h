@@ -32,8 +32,8 @@ struct FieldOptions {
     bool operator==(const FieldOptions&) const = default;
 };
 
-/// Whether a field of the options `there` has all that `wanted` asks for: the same in everything but
-/// the bands, of which it may have more.
+/// Whether a field of the options `there` has all that `wanted` asks for: the same in everything
+/// but the bands, of which it may have more.
 constexpr bool serves(const FieldOptions& there, const FieldOptions& wanted) {
     return there.kind == wanted.kind && there.directions == wanted.directions &&
            there.rotation_seed == wanted.rotation_seed && there.bands >= wanted.bands;
@@ -64,12 +64,13 @@ struct ThicknessField {
 /// to 1.
 using Progress = std::function<void(double fraction)>;
 
-/// Traces and projects the thickness at every vertex of a prepared (welded, oriented) mesh.
+/// Traces and projects the thickness at every vertex of a prepared (welded, oriented) mesh.  Where
+/// it has openings, inside is where it winds more than half around (geometry/openings.h).
 /// Deterministic: the result does not depend on the number of threads.
 /// Memory beside the result does not grow with the directions.
-/// Errors: a mesh that is not closed and consistently oriented; fewer directions than twice the
-/// coefficients; more than 1e-4 of the rays unresolved; "cancelled ..." soon after a stop was
-/// requested (progress may request it).  EXPECTS bands 1..6, indices in range.
+/// Errors: a mesh that is not consistently oriented or encloses nothing; fewer directions than
+/// twice the coefficients; more than 1e-4 of the rays unresolved; "cancelled ..." soon after a stop
+/// was requested (progress may request it).  EXPECTS bands 1..6, indices in range.
 Expected<ThicknessField> compute_thickness_field(const geometry::Mesh& mesh,
                                                  const FieldOptions& options,
                                                  const Progress& progress = {},

@@ -1,7 +1,9 @@
-// Closedness by counting edges, orientation by volumes and winding numbers.
+// Orientation by volumes and winding numbers.
 #include "renderer/thickness/traceable.h"
 
 #include "renderer/contract.h"
+#include "renderer/geometry/mesh_report.h"
+#include "renderer/geometry/openings.h"
 #include "renderer/geometry/winding.h"
 
 #include <fmt/format.h>
@@ -31,31 +33,6 @@ std::optional<std::string> what_is_not_finite(const Mesh& mesh) {
     return std::nullopt;
 }
 
-/// In a closed, consistently oriented surface every edge runs as often forward as backward, however
-/// many triangles meet in it.
-std::optional<std::string> what_is_open(const Mesh& mesh) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> forward, backward, unmatched;
-    for (const auto& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto from = t[k], to = t[(k + 1) % 3];
-            if (from < to)
-                forward.emplace_back(from, to);
-            else if (to < from)
-                backward.emplace_back(to, from);
-        }
-    std::sort(forward.begin(), forward.end());
-    std::sort(backward.begin(), backward.end());
-    std::set_symmetric_difference(forward.begin(), forward.end(), backward.begin(), backward.end(),
-                                  std::back_inserter(unmatched));
-    if (unmatched.empty())
-        return std::nullopt;
-    return fmt::format(
-        "the mesh is not closed and consistently oriented: {} edges lack a neighbour "
-        "that runs the other way, the first between vertices {} and {}; expected "
-        "every edge once in each sense",
-        unmatched.size(), unmatched.front().first, unmatched.front().second);
-}
-
 /// For every vertex, the smallest vertex it is connected with.
 std::vector<std::uint32_t> component_of_vertices(const RayScene& scene) {
     std::vector<std::uint32_t> parent(scene.positions().size());
@@ -77,7 +54,7 @@ std::vector<std::uint32_t> component_of_vertices(const RayScene& scene) {
 
 } // namespace
 
-Expected<void> check_closed(const geometry::Mesh& mesh) {
+Expected<void> check_solid(const geometry::Mesh& mesh) {
     if (mesh.triangles.empty())
         return tl::unexpected<std::string>("the mesh has no triangles, expected a closed surface");
     for (const auto& triangle : mesh.triangles)
@@ -85,9 +62,12 @@ Expected<void> check_closed(const geometry::Mesh& mesh) {
             EXPECTS(corner < mesh.positions.size());
     if (auto disappointment = what_is_not_finite(mesh))
         return tl::unexpected(std::move(*disappointment));
-    if (auto disappointment = what_is_open(mesh))
-        return tl::unexpected(std::move(*disappointment));
-    if (const double volume = geometry::signed_volume(mesh); !(volume > 0))
+    if (const auto report = geometry::examine(mesh); !is_oriented_but_for_openings(report))
+        return tl::unexpected(
+            "the mesh is not consistently oriented: " + describe_openings(report) +
+            "; expected neighbours that face the same way");
+    const double volume = geometry::signed_volume(geometry::cover_openings(mesh).mesh);
+    if (!(volume > 0))
         return tl::unexpected(fmt::format("the mesh encloses a volume of {:.6g}, expected a "
                                           "positive one (do its triangles face inward?)",
                                           volume));

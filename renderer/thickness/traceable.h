@@ -7,9 +7,10 @@
 
 namespace renderer::thickness {
 
-/// Fails unless the mesh has triangles and finite positions, every edge is run through as often in
-/// one sense as in the other, and the volume is positive.
-Expected<void> check_closed(const geometry::Mesh& mesh);
+/// Fails unless the mesh has triangles and finite positions, every edge that is not the rim of an
+/// opening is run through as often in one sense as in the other, and the volume with its openings
+/// covered is positive.
+Expected<void> check_solid(const geometry::Mesh& mesh);
 
 /// Fails when a component faces inward that is not a cavity in another one.
 Expected<void> check_components_face_outward(const geometry::RayScene& scene);
