@@ -44,6 +44,10 @@ constexpr double root_width = 1e-7;
 // A dip so short is no length.
 constexpr double turn_width = 1e-5;
 
+// Answers are an eighth of a rim's width apart: so far from a half, the next one would have shown
+// it.
+constexpr double no_dip = 0.4;
+
 // Less than a half, for the sum of the bounds is rounded.
 constexpr double surely_too_little = 0.49;
 
@@ -135,8 +139,11 @@ class OpenInterior::Ray {
         : interior_(interior), origin_(origin), direction_(direction), segments_(segments) {
         for (const auto& [centre, radius, area] : interior.covers_) {
             const double pass = glm::dot(centre - origin, direction);
-            for (int i = -questions_beside; i <= questions_beside; ++i)
-                questions_.push_back(pass + radius * i / questions_beside);
+            questions_.push_back(pass);
+            if (glm::length(centre - origin - pass * direction) < 2 * radius)
+                for (int i = 1; i <= questions_beside; ++i)
+                    for (const double beside : {-radius, radius})
+                        questions_.push_back(pass + beside * i / questions_beside);
         }
         std::sort(questions_.begin(), questions_.end(), std::greater<>());
     }
@@ -190,7 +197,8 @@ class OpenInterior::Ray {
     void ask_where_it_turns() {
         for (std::size_t i = 1; i + 1 < answers_.size(); ++i) {
             const auto &far = answers_[i - 1], &middle = answers_[i], &near = answers_[i + 1];
-            if (far.is_inside() != middle.is_inside() || near.is_inside() != middle.is_inside() ||
+            if (std::abs(middle.excess) > no_dip || far.is_inside() != middle.is_inside() ||
+                near.is_inside() != middle.is_inside() ||
                 std::abs(middle.excess) > std::min(std::abs(far.excess), std::abs(near.excess)))
                 continue;
             const Answer turn = nearest_to_half(near.distance, far.distance, middle.is_inside());

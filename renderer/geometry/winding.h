@@ -9,7 +9,7 @@ namespace renderer::geometry {
 
 /// Generalised winding number: the solid angle of all triangles seen from `point`, over 4 pi.
 /// 1 inside one closed surface, 0 outside, in between near holes; 2 where two bodies overlap.
-/// Cost: one arctangent per triangle.
+/// Cost: three square roots and a complex product per triangle.
 double winding_number(std::span<const glm::vec3> positions,
                       std::span<const Triangle> triangles,
                       glm::dvec3 point);

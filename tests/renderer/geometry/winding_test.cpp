@@ -2,6 +2,7 @@
 #include "renderer/geometry/winding.h"
 
 #include <cmath>
+#include <utility>
 
 namespace {
 
@@ -18,6 +19,18 @@ TEST(WindingNumber, IsOneInsideAndNoneOutside) {
     EXPECT_NEAR(winding_of(ball, {0, 0, 0}), 1, 1e-12);
     EXPECT_NEAR(winding_of(ball, {0.3, -0.4, 0.7}), 1, 1e-12);
     EXPECT_NEAR(winding_of(ball, {0.9, 0.9, 0.9}), 0, 1e-12);
+}
+
+// Every turn is kept apart, and so many small numbers neither vanish nor overflow.
+TEST(WindingNumber, CountsEveryLayer) {
+    Mesh layers = sphere(1, 3);
+    const auto once = layers.triangles;
+    for (int i = 1; i < 7; ++i)
+        layers.triangles.insert(layers.triangles.end(), once.begin(), once.end());
+    EXPECT_NEAR(winding_of(layers, {0.2, 0.5, -0.1}), 7, 1e-10);
+    for (auto& t : layers.triangles)
+        std::swap(t[0], t[1]);
+    EXPECT_NEAR(winding_of(layers, {0.2, 0.5, -0.1}), -7, 1e-10);
 }
 
 TEST(WindingNumber, IsNoneInACavity) {
