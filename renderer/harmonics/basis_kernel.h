@@ -3,12 +3,13 @@
 // y(l, +-m) = q(2z^2 - 1) z^p (C_m, S_m), with C_m + i S_m = (x + iy)^m, p = (l - m) mod 2 and q a
 // polynomial of degree (l - m - p)/2 (renderer/harmonics/basis_polynomials.h).  Functions of z are
 // steepest beside a pole, where z is near 1 and a rounded z says least of the direction: there the
-// argument is taken from x and y, which are small and say all.  In float, ten bands err by 1.2e-6 so,
-// and by 4.0e-6 with recurrences in z.
+// argument is taken from x and y, which are small and say all.  In float, ten bands err by 1.2e-6
+// so, and by 4.0e-6 with recurrences in z.
 //
 // Each file that includes this is compiled for another set of instructions.  So everything has
 // internal linkage and nothing is called from a library: the linker keeps one copy of an inline
-// function, and it might keep the one that this processor cannot run.  No multiplication is fused
+// function, and it might keep the one that this processor cannot run.  For the same reason tables
+// are constinit: nothing of such a file runs before main.  No multiplication is fused
 // with an addition anywhere (-ffp-contract=off): every set of instructions gives the same bits.
 #pragma once
 

@@ -3,6 +3,6 @@
 
 namespace renderer::harmonics {
 
-const BlockKernels avx2_kernels = kernels_of<32>(UnrolledBands{});
+constinit const BlockKernels avx2_kernels = kernels_of<32>(UnrolledBands{});
 
 } // namespace renderer::harmonics

@@ -3,6 +3,6 @@
 
 namespace renderer::harmonics {
 
-const BlockKernels avx512_kernels = kernels_of<64>(UnrolledBands{});
+constinit const BlockKernels avx512_kernels = kernels_of<64>(UnrolledBands{});
 
 } // namespace renderer::harmonics

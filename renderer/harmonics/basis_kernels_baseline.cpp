@@ -12,7 +12,7 @@ constexpr SingleKernels singles_of(std::integer_sequence<int, Before...>) {
 
 } // namespace
 
-const BlockKernels baseline_kernels = kernels_of<16>(UnrolledBands{});
-const SingleKernels single_kernels = singles_of(UnrolledBands{});
+constinit const BlockKernels baseline_kernels = kernels_of<16>(UnrolledBands{});
+constinit const SingleKernels single_kernels = singles_of(UnrolledBands{});
 
 } // namespace renderer::harmonics
