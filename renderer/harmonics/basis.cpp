@@ -1,7 +1,9 @@
-// Real spherical harmonics by normalised recurrences, and their definition as a slow twin.
+// Real spherical harmonics by polynomials, by normalised recurrences and by their definition.
 #include "renderer/harmonics/basis.h"
 
 #include "renderer/contract.h"
+#include "renderer/harmonics/basis_kernels.h"
+#include "renderer/harmonics/basis_polynomials.h"
 
 #include <glm/geometric.hpp>
 
@@ -24,6 +26,17 @@ std::size_t position(int l, int m) {
 } // namespace
 
 void evaluate(int bands, glm::dvec3 direction, std::span<double> out) {
+    EXPECTS(bands >= 1);
+    EXPECTS(out.size() == static_cast<std::size_t>(coefficient_count(bands)));
+    EXPECTS(is_unit(direction));
+    if (bands > most_unrolled_bands)
+        return evaluate_by_recurrence(bands, direction, out);
+    const double coordinates[] = {direction.x, direction.y, direction.z};
+    single_kernels.in_double[bands - 1](coordinates, 1, polynomial_constants<double>(bands).data(),
+                                        out.data());
+}
+
+void evaluate_by_recurrence(int bands, glm::dvec3 direction, std::span<double> out) {
     EXPECTS(bands >= 1);
     EXPECTS(out.size() == static_cast<std::size_t>(coefficient_count(bands)));
     EXPECTS(is_unit(direction));

@@ -1,5 +1,4 @@
-// Real spherical harmonics of a direction, by recursion over bands.  Conventions:
-// docs/conventions.md#sh
+// Real spherical harmonics of a direction.  Conventions: docs/conventions.md#sh
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -24,11 +23,15 @@ constexpr int flat_index(int l, int m) {
 /// Shapes: `out` has bands^2 elements; element l(l+1)+m holds y(l, m).
 /// Units:  orthonormal over the sphere, no Condon-Shortley sign; `direction` is unit length.
 /// Errors: EXPECTS on the size of `out`, bands >= 1 and on the length of `direction` (1e-6).
-/// Source: methods page, section SHSS: normalised Legendre recurrences times (x + iy)^m; no
-/// factorials, no poles.
+/// Up to ten bands by the polynomials of renderer/harmonics/basis_kernel.h, 2e-15 exact for five
+/// and 1.2e-14 for ten; beyond them by recurrences.  For many directions: basis_blocks.h.
 void evaluate(int bands, glm::dvec3 direction, std::span<double> out);
 
-/// The same from Legendre functions in angles and factorials: slow, for tests; bands <= 20.
+/// The same by normalised Legendre recurrences over degrees times (x + iy)^m, for any number of
+/// bands: no factorials, no poles.  [Sloan2013]
+void evaluate_by_recurrence(int bands, glm::dvec3 direction, std::span<double> out);
+
+/// And from Legendre functions in angles and factorials: slow, for tests; bands <= 20.
 void evaluate_by_definition(int bands, glm::dvec3 direction, std::span<double> out);
 
 } // namespace renderer::harmonics

@@ -3,6 +3,7 @@
 
 #include "renderer/contract.h"
 #include "renderer/harmonics/basis.h"
+#include "renderer/harmonics/basis_blocks.h"
 
 #include <cmath>
 
@@ -72,8 +73,10 @@ std::vector<double> projection_rows(int bands, const DirectionSet& set) {
     EXPECTS(!set.directions.empty() && set.weights.size() == set.directions.size());
     const auto n = static_cast<std::size_t>(coefficient_count(bands));
     std::vector<double> rows(set.directions.size() * n);
-    for (std::size_t j = 0; j < set.directions.size(); ++j)
-        evaluate(bands, set.directions[j], std::span(rows).subspan(j * n, n));
+    for_each_basis(bands, set.directions, [&](std::size_t j, const LaneValues& y) {
+        for (std::size_t i = 0; i < n; ++i)
+            rows[j * n + i] = y[i];
+    });
 
     SquareMatrix gram = gram_matrix(rows, set.weights);
     factor(gram);
@@ -86,13 +89,31 @@ std::vector<double> projection_rows(int bands, const DirectionSet& set) {
     return rows;
 }
 
+void accumulate(std::span<const double> values,
+                std::size_t directions,
+                std::span<const double> rows,
+                std::span<double> coefficients) {
+    EXPECTS(directions >= 1);
+    EXPECTS(values.size() % directions == 0 && rows.size() % directions == 0);
+    const std::size_t n = rows.size() / directions;
+    EXPECTS(coefficients.size() == values.size() / directions * n);
+    for (std::size_t v = 0; v < values.size() / directions; ++v) {
+        double* c = coefficients.data() + v * n;
+        for (std::size_t j = 0; j < directions; ++j) {
+            const double value = values[v * directions + j];
+            if (value == 0)
+                continue; // half of all: the light stands on this side
+            const double* row = rows.data() + j * n;
+            for (std::size_t i = 0; i < n; ++i)
+                c[i] += value * row[i];
+        }
+    }
+}
+
 std::vector<double> project(std::span<const double> rows, std::span<const double> samples) {
     EXPECTS(!samples.empty() && rows.size() % samples.size() == 0);
-    const std::size_t n = rows.size() / samples.size();
-    std::vector<double> coefficients(n);
-    for (std::size_t j = 0; j < samples.size(); ++j)
-        for (std::size_t i = 0; i < n; ++i)
-            coefficients[i] += samples[j] * rows[j * n + i];
+    std::vector<double> coefficients(rows.size() / samples.size());
+    accumulate(samples, samples.size(), rows, coefficients);
     return coefficients;
 }
 

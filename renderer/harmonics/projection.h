@@ -3,6 +3,7 @@
 
 #include "renderer/harmonics/directions.h"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -12,8 +13,17 @@ namespace renderer::harmonics {
 /// G = Y^T W Y.  On a rule that integrates products of basis functions exactly, G is the identity
 /// and row j is w_j y(s_j); elsewhere least squares removes what the rule gets wrong.
 /// Shape:  rows[j * bands^2 + i].
-/// Errors: EXPECTS bands >= 1 and directions that tell bands^2 functions apart.
+/// Errors: EXPECTS 1..10 bands and directions that tell bands^2 functions apart.
 std::vector<double> projection_rows(int bands, const DirectionSet& set);
+
+/// Adds functions sampled in some of the directions to their coefficients: values[v][j], in the
+/// direction of row j, times that row, to the coefficients of v.
+/// Shapes: values.size() / directions functions of rows.size() / directions coefficients each.
+/// Errors: EXPECTS directions >= 1 and sizes that agree.
+void accumulate(std::span<const double> values,
+                std::size_t directions,
+                std::span<const double> rows,
+                std::span<double> coefficients);
 
 /// Coefficients of the function with these samples: c_i = sum_j samples[j] rows[j * bands^2 + i].
 /// Errors: EXPECTS rows.size() to be a multiple of samples.size().

@@ -3,6 +3,7 @@
 
 #include "renderer/contract.h"
 #include "renderer/harmonics/basis.h"
+#include "renderer/harmonics/basis_blocks.h"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,8 @@ namespace {
 // A_l / pi of the clamped cosine.
 constexpr std::array cosine_factor{1.0, 2.0 / 3, 1.0 / 4, 0.0, -1.0 / 24, 0.0};
 
-double cosine_mean(std::span<const float> coefficients, std::span<const double> basis, int bands) {
+double
+cosine_mean(std::span<const float> coefficients, const harmonics::LaneValues& basis, int bands) {
     double sum = 0;
     for (int l = 0; l < bands; ++l)
         for (int m = -l; m <= l; ++m) {
@@ -38,14 +40,14 @@ Expected<std::vector<double>> local_thickness(const geometry::Mesh& mesh,
         return tl::make_unexpected(fmt::format(
             "a thickness field of {} coefficients, expected {} for {} vertices",
             field.coefficients.size(), mesh.positions.size() * stride, mesh.positions.size()));
-    std::vector<double> thickness;
-    thickness.reserve(mesh.positions.size());
-    std::vector<double> basis(stride);
-    for (const auto& normal : geometry::vertex_normals(mesh)) {
-        harmonics::evaluate(field.bands, -normal, basis);
-        const auto row = std::span(field.coefficients).subspan(thickness.size() * stride, stride);
-        thickness.push_back(std::max(cosine_mean(row, basis, field.bands), 0.0));
-    }
+    auto inward = geometry::vertex_normals(mesh);
+    for (auto& normal : inward)
+        normal = -normal;
+    std::vector<double> thickness(inward.size());
+    harmonics::for_each_basis(field.bands, inward, [&](std::size_t v, const auto& basis) {
+        const auto row = std::span(field.coefficients).subspan(v * stride, stride);
+        thickness[v] = std::max(cosine_mean(row, basis, field.bands), 0.0);
+    });
     return thickness;
 }
 

@@ -34,7 +34,8 @@ double fresnel(double cosine, double index) {
     if (index == 1)
         return 0;
     const double c = std::clamp(cosine, 0.0, 1.0);
-    const double behind_squared = 1 - (1 - c * c) / (index * index);
+    // 1 - (1 - c^2) / index^2, with all its digits for an index near 1
+    const double behind_squared = ((index - 1) * (index + 1) + c * c) / (index * index);
     if (behind_squared <= 0)
         return 1;
     const double behind = std::sqrt(behind_squared);
@@ -56,7 +57,8 @@ std::optional<glm::dvec3> refracted(glm::dvec3 direction, glm::dvec3 normal, dou
     if (index == 1)
         return direction;
     const double c = -glm::dot(direction, normal);
-    const double behind_squared = 1 - (1 - c * c) / (index * index);
+    // 1 - (1 - c^2) / index^2, with all its digits for an index near 1
+    const double behind_squared = ((index - 1) * (index + 1) + c * c) / (index * index);
     if (behind_squared <= 0)
         return std::nullopt;
     return glm::normalize(direction / index + (c / index - std::sqrt(behind_squared)) * normal);

@@ -11,7 +11,9 @@ namespace renderer::reference {
 
 double henyey_greenstein(double cosine, double g) {
     EXPECTS(std::abs(g) <= 0.999);
-    const double square = 1 + g * g - 2 * g * cosine;
+    // 1 + g^2 - 2 g cos, without the difference that leaves ten digits at g = 0.999
+    const double size = std::abs(g), turned = 1 - std::copysign(1.0, g) * cosine;
+    const double square = (1 - size) * (1 - size) + 2 * size * turned;
     return (1 - g * g) / (4 * std::numbers::pi * square * std::sqrt(square));
 }
 

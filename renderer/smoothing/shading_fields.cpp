@@ -3,11 +3,13 @@
 
 #include "renderer/contract.h"
 #include "renderer/harmonics/basis.h"
+#include "renderer/harmonics/basis_blocks.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numbers>
 
 namespace renderer::smoothing {
@@ -21,17 +23,23 @@ bool is_direction(glm::dvec3 normal) {
     return glm::dot(normal, normal) > 0;
 }
 
-std::array<double, irradiance_coefficients> irradiance(glm::dvec3 normal) {
+/// A_l y(l, m) in each normal's direction, 0 where there is none.
+std::vector<double> irradiance(std::span<const glm::dvec3> normals) {
     using std::numbers::pi;
     constexpr std::array<double, irradiance_bands> A{pi, 2 * pi / 3, pi / 4};
-    std::array<double, irradiance_coefficients> e{};
-    if (!is_direction(normal))
-        return e;
-    harmonics::evaluate(irradiance_bands, normal, e);
-    for (int l = 0; l < irradiance_bands; ++l)
-        for (int m = -l; m <= l; ++m)
-            e[static_cast<std::size_t>(harmonics::flat_index(l, m))] *=
-                A[static_cast<std::size_t>(l)];
+    std::vector<glm::dvec3> directions(normals.begin(), normals.end());
+    std::replace_if(directions.begin(), directions.end(), std::not_fn(is_direction),
+                    glm::dvec3(0, 0, 1));
+    std::vector<double> e(irradiance_coefficients * normals.size());
+    harmonics::for_each_basis(irradiance_bands, directions, [&](std::size_t v, const auto& y) {
+        if (!is_direction(normals[v]))
+            return;
+        for (int l = 0; l < irradiance_bands; ++l)
+            for (int m = -l; m <= l; ++m) {
+                const auto i = static_cast<std::size_t>(harmonics::flat_index(l, m));
+                e[v * irradiance_coefficients + i] = A[static_cast<std::size_t>(l)] * y[i];
+            }
+    });
     return e;
 }
 
@@ -66,13 +74,7 @@ smoothed_normals(SurfaceSmoother& smoother, double t, std::span<const glm::dvec3
 
 Expected<std::vector<double>>
 smoothed_irradiance(SurfaceSmoother& smoother, double t, std::span<const glm::dvec3> normals) {
-    std::vector<double> values;
-    values.reserve(irradiance_coefficients * normals.size());
-    for (const auto& normal : normals) {
-        const auto e = irradiance(normal);
-        values.insert(values.end(), e.begin(), e.end());
-    }
-    return smoother.smooth(t, values, irradiance_coefficients);
+    return smoother.smooth(t, irradiance(normals), irradiance_coefficients);
 }
 
 } // namespace renderer::smoothing

@@ -181,25 +181,6 @@ struct Projection {
     std::vector<double> rows; ///< of harmonics::projection_rows
 };
 
-/// Adds values[v][j] times the j-th row to the coefficients of every vertex of a block.
-void accumulate(std::span<const double> values,
-                std::size_t directions,
-                std::span<const double> rows,
-                std::span<double> coefficients) {
-    const std::size_t n = rows.size() / directions;
-    for (std::size_t v = 0; v < values.size() / directions; ++v) {
-        double* c = &coefficients[v * n];
-        for (std::size_t j = 0; j < directions; ++j) {
-            const double value = values[v * directions + j];
-            if (value == 0)
-                continue;
-            const double* row = &rows[j * n];
-            for (std::size_t i = 0; i < n; ++i)
-                c[i] += value * row[i];
-        }
-    }
-}
-
 /// What every block needs to know.
 struct Task {
     const Solid& solid;
@@ -235,8 +216,9 @@ void project_block(const Task& task,
             };
             trace_block(tracer, task.kind, block, directions[first + j], proceedings, take);
         }
-        accumulate(values, count, std::span(task.projection.rows).subspan(first * n, count * n),
-                   coefficients);
+        harmonics::accumulate(values, count,
+                              std::span(task.projection.rows).subspan(first * n, count * n),
+                              coefficients);
     }
     for (std::size_t i = 0; i < block.size(); ++i)
         for (std::size_t k = 0; k < n; ++k)

@@ -72,6 +72,26 @@ TEST(Projection, FindsTheChordsOfASphere) {
     }
 }
 
+// A block of two functions, sampled in two lots, comes out as each of them alone.
+TEST(Projection, OfABlockIsThatOfItsFunctions) {
+    const auto set = fibonacci_directions(60, 2);
+    const auto rows = projection_rows(3, set);
+    const auto first = sampled(set, [](glm::dvec3 s) { return std::max(0.0, s.x); });
+    const auto second = sampled(set, [](glm::dvec3 s) { return s.y * s.z; });
+    std::vector<double> together(18);
+    for (const std::ptrdiff_t half : {0, 1}) {
+        std::vector<double> values(first.begin() + 30 * half, first.begin() + 30 * (half + 1));
+        values.insert(values.end(), second.begin() + 30 * half, second.begin() + 30 * (half + 1));
+        accumulate(values, 30, std::span(rows).subspan(270 * static_cast<std::size_t>(half), 270),
+                   together);
+    }
+    const auto alone = project(rows, first), other = project(rows, second);
+    for (std::size_t i = 0; i < 9; ++i) {
+        EXPECT_EQ(together[i], alone[i]) << i; // the same sums in the same order
+        EXPECT_EQ(together[9 + i], other[i]) << i;
+    }
+}
+
 TEST(ProjectionDeathTest, RefusesFewerDirectionsThanFunctions) {
     EXPECT_DEATH(projection_rows(5, fibonacci_directions(20, 1)), "1e-6");
 }
