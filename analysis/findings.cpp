@@ -16,11 +16,8 @@ namespace {
 
 std::vector<std::string> letters_of(const std::vector<anova::RangePair>& pairs,
                                     const std::vector<std::size_t>& ranked) {
-    std::vector<std::pair<std::size_t, std::size_t>> significant;
-    for (const auto& pair : pairs)
-        if (pair.significant)
-            significant.emplace_back(pair.first, pair.second);
-    return anova::compact_letters(ranked, significant).value_or(std::vector<std::string>{});
+    return anova::compact_letters(ranked, anova::differing(pairs))
+        .value_or(std::vector<std::string>{});
 }
 
 // Effects without the method cannot vary in complete rounds: the integers say so.

@@ -1,5 +1,6 @@
 #include "analysis/findings_json.h"
 
+#include "analysis/anova/rows_json.h"
 #include "analysis/consistency/consistency_json.h"
 #include "analysis/consistency/screening_json.h"
 #include "analysis/findings_anova_json.h"
@@ -13,15 +14,8 @@ namespace analysis {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-    if (std::isnan(value))
-        return nullptr;
-    if (std::isinf(value))
-        return value > 0 ? "inf" : "-inf";
-    return value;
-}
+using anova::json_number;
+using Json = anova::Json;
 
 Json design(const DesignFacts& facts) {
     Json factors = Json::object();
@@ -49,17 +43,18 @@ Json paper_score(const Findings& findings) {
     Json scores = Json::object();
     for (const auto& score : findings.scores)
         scores[score.condition] = {
-            {"total_votes", number(score.total_votes)},
-            {"mean_votes_per_round", number(score.mean_votes_per_round)},
-            {"max_per_round", number(score.max_per_round)},
+            {"total_votes", json_number(score.total_votes)},
+            {"mean_votes_per_round", json_number(score.mean_votes_per_round)},
+            {"max_per_round", json_number(score.max_per_round)},
             {"mean_votes_per_observer_and_" + factor,
-             number(score.mean_votes_per_observer_and_factor)},
-            {"share", number(score.share)},
-            {"share_pooled", number(score.share_pooled)},
-            {"sd_over_observer_" + factor + "_cells", number(score.sd_over_observer_factor_cells)},
-            {"sd_over_observers", number(score.sd_over_observers)},
-            {"se_over_observers", number(score.se_over_observers)},
-            {"rank", number(score.rank)}};
+             json_number(score.mean_votes_per_observer_and_factor)},
+            {"share", json_number(score.share)},
+            {"share_pooled", json_number(score.share_pooled)},
+            {"sd_over_observer_" + factor + "_cells",
+             json_number(score.sd_over_observer_factor_cells)},
+            {"sd_over_observers", json_number(score.sd_over_observers)},
+            {"se_over_observers", json_number(score.se_over_observers)},
+            {"rank", json_number(score.rank)}};
     return scores;
 }
 
@@ -69,10 +64,10 @@ Json ranking(const Findings& findings) {
         places.push_back({{"rank", place.rank},
                           {"method", findings.design.conditions[place.condition]},
                           {"votes", place.votes},
-                          {"mean_votes_per_round", number(place.mean_votes)},
-                          {"share", number(place.share)},
-                          {"lower", number(place.lower)},
-                          {"upper", number(place.upper)},
+                          {"mean_votes_per_round", json_number(place.mean_votes)},
+                          {"share", json_number(place.share)},
+                          {"lower", json_number(place.lower)},
+                          {"upper", json_number(place.upper)},
                           {"letters", place.letters}});
     return places;
 }

@@ -35,6 +35,10 @@ bool second_fits(unsigned char first, unsigned char second) {
     }
 }
 
+std::int64_t line_of(std::string_view text, std::size_t place) {
+    return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n');
+}
+
 } // namespace
 
 std::optional<std::int64_t> first_line_not_utf8(std::string_view text) {
@@ -45,18 +49,18 @@ std::optional<std::int64_t> first_line_not_utf8(std::string_view text) {
         for (std::size_t k = 1; good && k < length; ++k)
             good = (byte(at + k) & 0xC0) == 0x80 && (k > 1 || second_fits(byte(at), byte(at + 1)));
         if (!good)
-            return 1 +
-                   std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+            return line_of(text, at);
         at += length;
     }
     return std::nullopt;
 }
 
 std::string utf8_fault(std::string_view text, const std::string& name) {
-    const auto line = first_line_not_utf8(text);
-    return line
-               ? fmt::format("{}:{}: a byte that is no UTF-8; save the table as UTF-8", name, *line)
-               : "";
+    if (const auto line = first_line_not_utf8(text))
+        return fmt::format("{}:{}: a byte that is no UTF-8; save the table as UTF-8", name, *line);
+    if (const auto zero = text.find('\0'); zero != text.npos)
+        return fmt::format("{}:{}: a zero byte; save the table as text", name, line_of(text, zero));
+    return {};
 }
 
 } // namespace analysis

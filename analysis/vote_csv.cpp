@@ -239,6 +239,17 @@ class VoteReader {
     std::int64_t not_counted_ = 0, unanswered_ = 0, not_sure_ = 0;
 };
 
+// A study without variants has one, with an empty name: such a column makes no scene.
+void leave_out_empty_factors(VoteTable& table) {
+    for (std::size_t f = table.factors.size(); f-- > 0;)
+        if (table.factors[f].size() == 1 && table.factors[f].name(0).empty()) {
+            const auto at = static_cast<std::ptrdiff_t>(f);
+            table.factors.erase(table.factors.begin() + at);
+            table.factor.erase(table.factor.begin() + at);
+            table.factor_names.erase(table.factor_names.begin() + at);
+        }
+}
+
 } // namespace
 
 Expected<VoteTable>
@@ -264,6 +275,7 @@ read_votes_csv(std::string_view text, const std::string& name, Repeats repeats) 
                 table.observers.name(table.observer[static_cast<std::size_t>(second)]),
                 reader.line(first)));
     table.notes = reader.notes();
+    leave_out_empty_factors(table);
     return table;
 }
 

@@ -18,7 +18,8 @@ namespace analysis {
 /// `is_A_selected` (1, 0), `selection` (1, 2), `selected` (a name) or `response` (also `not_sure`,
 /// a tie, and `none`, passed over) for the answer; `time_spent`, `response_time` in seconds.
 /// Any other column that stands before `right` is a scene factor (`scene`, `variant`, `model`,
-/// `light`, ...); other columns after it are left out, and a note says so.
+/// `light`, ...) unless it is empty in every row; other columns after it are left out, and a note
+/// says so.
 /// Errors: `name:line: ...` for a missing or doubled column, a row of another length, an empty
 /// name, an unknown answer, a condition against itself, and a question answered twice by the same
 /// observer in a session (unless `repeats` allows it).

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace analysis::anova {
 
@@ -17,26 +18,43 @@ namespace {
 // A difference over its standard error; nothing over nothing is undefined.
 double ratio(double difference, double standard_error) {
     if (standard_error == 0)
-        return difference == 0 ? undefined : std::numeric_limits<double>::infinity();
+        return difference == 0 ? undefined
+                               : std::copysign(std::numeric_limits<double>::infinity(), difference);
     return difference / standard_error;
 }
 
 constexpr numerics::Tail certain{0, -std::numeric_limits<double>::infinity()};
 
-numerics::Tail range_p(double q, std::size_t groups, double df) {
-    if (std::isnan(q) || !(df > 0))
-        return {undefined, undefined};
-    if (std::isinf(q))
-        return certain;
-    return numerics::studentized_range_upper_tail(q, static_cast<double>(groups), df);
-}
+// p-values of many pairs share most of their work, which few do not repay.
+class RangeTails {
+  public:
+    explicit RangeTails(std::size_t groups) : groups_(static_cast<double>(groups)) {
+        if (groups >= few_groups)
+            shared_.emplace(groups_);
+    }
+
+    numerics::Tail operator()(double q, double df) {
+        if (std::isnan(q) || !(df > 0))
+            return {undefined, undefined};
+        if (std::isinf(q))
+            return certain;
+        return shared_ ? shared_->upper_tail(q, df)
+                       : numerics::studentized_range_upper_tail(q, groups_, df);
+    }
+
+  private:
+    static constexpr std::size_t few_groups = 12; // 66 pairs: as fast either way when measured
+
+    double groups_;
+    std::optional<numerics::StudentizedRanges> shared_;
+};
 
 RangePair range_pair(std::size_t first,
                      std::size_t second,
                      double difference,
                      double standard_error,
                      double df,
-                     std::size_t groups) {
+                     RangeTails& tails) {
     RangePair pair;
     pair.first = first;
     pair.second = second;
@@ -44,7 +62,7 @@ RangePair range_pair(std::size_t first,
     pair.standard_error = standard_error;
     pair.df = df;
     pair.q = ratio(std::abs(difference), standard_error);
-    const auto tail = range_p(pair.q, groups, df);
+    const auto tail = tails(pair.q, df);
     pair.p = tail.p;
     pair.log10_p = tail.log10_p;
     return pair;
@@ -85,6 +103,12 @@ RangeTest tukey(std::span<const double> means,
                 std::span<const std::int64_t> sizes,
                 Variation error,
                 double level) {
+    const std::vector<double> real(sizes.begin(), sizes.end());
+    return tukey(means, real, error, level);
+}
+
+RangeTest
+tukey(std::span<const double> means, std::span<const double> sizes, Variation error, double level) {
     EXPECTS(means.size() == sizes.size() && means.size() >= 2);
     RangeTest test;
     test.level = level;
@@ -94,30 +118,31 @@ RangeTest tukey(std::span<const double> means,
     if (error.df > 0)
         test.q_critical = numerics::studentized_range_quantile(
             level, static_cast<double>(means.size()), error.df);
+    RangeTails tails(means.size());
     for (std::size_t i = 0; i < means.size(); ++i)
         for (std::size_t j = i + 1; j < means.size(); ++j) {
-            const double n_i = static_cast<double>(sizes[i]), n_j = static_cast<double>(sizes[j]);
-            const double se = std::sqrt(test.mean_square_error / 2 * (1 / n_i + 1 / n_j));
-            test.pairs.push_back(range_pair(i, j, means[i] - means[j], se, error.df, means.size()));
+            const double se = std::sqrt(test.mean_square_error / 2 * (1 / sizes[i] + 1 / sizes[j]));
+            test.pairs.push_back(range_pair(i, j, means[i] - means[j], se, error.df, tails));
             decide(test.pairs.back(), test.q_critical, level);
         }
-    const auto n = static_cast<double>(sizes[0]);
     if (std::all_of(sizes.begin(), sizes.end(), [&](auto size) { return size == sizes[0]; }))
-        test.comparison_half_width = test.q_critical * std::sqrt(test.mean_square_error / n) / 2;
+        test.comparison_half_width =
+            test.q_critical * std::sqrt(test.mean_square_error / sizes[0]) / 2;
     return test;
 }
 
 std::vector<RangePair> games_howell(const OneWay& groups, double level) {
     std::vector<RangePair> pairs;
     const auto k = groups.mean.size();
+    RangeTails tails(k);
     for (std::size_t i = 0; i < k; ++i)
         for (std::size_t j = i + 1; j < k; ++j) {
             const double n_i = static_cast<double>(groups.n[i]);
             const double n_j = static_cast<double>(groups.n[j]);
             const double a = groups.variance[i] / n_i, b = groups.variance[j] / n_j;
             const double df = (a + b) * (a + b) / (a * a / (n_i - 1) + b * b / (n_j - 1));
-            pairs.push_back(
-                range_pair(i, j, groups.mean[i] - groups.mean[j], std::sqrt((a + b) / 2), df, k));
+            pairs.push_back(range_pair(i, j, groups.mean[i] - groups.mean[j],
+                                       std::sqrt((a + b) / 2), df, tails));
             pairs.back().significant = pairs.back().p < level;
         }
     return pairs;
@@ -161,21 +186,37 @@ DunnettTest dunnett(std::span<const double> means,
 }
 
 std::vector<TPair> pooled_t(const OneWay& groups, double level) {
+    const std::vector<double> sizes(groups.n.begin(), groups.n.end());
+    return pooled_t(groups.mean, sizes, groups.within, level);
+}
+
+std::vector<TPair> pooled_t(std::span<const double> means,
+                            std::span<const double> sizes,
+                            Variation error,
+                            double level) {
+    const double ms = error.df > 0 ? error.ms() : undefined;
+    std::vector<Difference> differences;
+    for (std::size_t i = 0; i < means.size(); ++i)
+        for (std::size_t j = i + 1; j < means.size(); ++j)
+            differences.push_back(
+                {i, j, means[i] - means[j], std::sqrt(ms * (1 / sizes[i] + 1 / sizes[j]))});
+    return t_of_differences(differences, error.df, level);
+}
+
+std::vector<TPair>
+t_of_differences(std::span<const Difference> differences, double df, double level) {
     std::vector<TPair> pairs;
-    const double error = groups.within.df > 0 ? groups.within.ms() : undefined;
-    for (std::size_t i = 0; i < groups.mean.size(); ++i)
-        for (std::size_t j = i + 1; j < groups.mean.size(); ++j) {
-            const double n_i = static_cast<double>(groups.n[i]);
-            const double n_j = static_cast<double>(groups.n[j]);
-            TPair pair;
-            pair.first = i;
-            pair.second = j;
-            pair.difference = groups.mean[i] - groups.mean[j];
-            pair.t = ratio(pair.difference, std::sqrt(error * (1 / n_i + 1 / n_j)));
-            pair.df = groups.within.df;
-            put_p(pair);
-            pairs.push_back(pair);
-        }
+    for (const auto& difference : differences) {
+        TPair pair;
+        pair.first = difference.first;
+        pair.second = difference.second;
+        pair.difference = difference.value;
+        pair.standard_error = difference.standard_error;
+        pair.t = ratio(pair.difference, pair.standard_error);
+        pair.df = df;
+        put_p(pair);
+        pairs.push_back(pair);
+    }
     adjust(pairs, level);
     return pairs;
 }
@@ -200,10 +241,12 @@ std::vector<TPair> paired_t(std::span<const std::int64_t> counts,
             TPair pair;
             pair.first = i;
             pair.second = j;
-            pair.difference = static_cast<double>(sum) / (observers * static_cast<double>(divisor));
+            const double unit = observers * static_cast<double>(divisor);
+            const double deviation = std::sqrt(static_cast<double>(spread) / (observers - 1));
+            pair.difference = static_cast<double>(sum) / unit;
+            pair.standard_error = deviation / unit;
             // mean / (sd / sqrt n), with everything over n and the divisor cancelled
-            pair.t = ratio(static_cast<double>(sum),
-                           std::sqrt(static_cast<double>(spread) / (observers - 1)));
+            pair.t = ratio(static_cast<double>(sum), deviation);
             pair.df = observers - 1;
             put_p(pair);
             pairs.push_back(pair);
@@ -216,7 +259,7 @@ std::vector<TPair> paired_t(std::span<const long double> values, std::size_t gro
     EXPECTS(groups >= 2 && !values.empty() && values.size() % groups == 0);
     const auto n = values.size() / groups;
     const auto subjects = static_cast<long double>(n);
-    std::vector<TPair> pairs;
+    std::vector<Difference> differences;
     for (std::size_t i = 0; i < groups; ++i)
         for (std::size_t j = i + 1; j < groups; ++j) {
             long double mean = 0, squares = 0;
@@ -229,17 +272,18 @@ std::vector<TPair> paired_t(std::span<const long double> values, std::size_t gro
                 squares += (d - mean) * (d - mean);
             }
             const long double variance = constant ? 0 : squares / (subjects - 1);
-            TPair pair;
-            pair.first = i;
-            pair.second = j;
-            pair.difference = static_cast<double>(mean);
-            pair.t = ratio(pair.difference, static_cast<double>(std::sqrt(variance / subjects)));
-            pair.df = static_cast<double>(subjects - 1);
-            put_p(pair);
-            pairs.push_back(pair);
+            differences.push_back({i, j, static_cast<double>(mean),
+                                   static_cast<double>(std::sqrt(variance / subjects))});
         }
-    adjust(pairs, level);
-    return pairs;
+    return t_of_differences(differences, static_cast<double>(subjects - 1), level);
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> differing(std::span<const RangePair> pairs) {
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    for (const auto& pair : pairs)
+        if (pair.significant)
+            found.emplace_back(pair.first, pair.second);
+    return found;
 }
 
 } // namespace analysis::anova

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace analysis::anova {
@@ -39,7 +40,12 @@ struct RangeTest {
     double comparison_half_width = undefined;
 };
 
-/// Tukey's test, with Kramer's standard errors when sizes differ.
+/// Tukey's test, with Kramer's standard errors when sizes differ.  Sizes may be those of groups
+/// whose means would be known as well.
+RangeTest tukey(std::span<const double> means,
+                std::span<const double> sizes,
+                Variation error,
+                double level = 0.05);
 RangeTest tukey(std::span<const double> means,
                 std::span<const std::int64_t> sizes,
                 Variation error,
@@ -78,6 +84,7 @@ struct TPair {
     std::size_t first = 0;
     std::size_t second = 0;
     double difference = undefined;
+    double standard_error = undefined; ///< of the difference
     double t = undefined;
     double df = undefined;
     double p = undefined;
@@ -91,6 +98,22 @@ struct TPair {
 
 /// Two-sided t with the pooled variance of all groups.
 std::vector<TPair> pooled_t(const OneWay& groups, double level = 0.05);
+std::vector<TPair> pooled_t(std::span<const double> means,
+                            std::span<const double> sizes,
+                            Variation error,
+                            double level = 0.05);
+
+/// An estimated difference of two levels.
+struct Difference {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    double value = 0;
+    double standard_error = 0;
+};
+
+/// Two-sided t of differences that all have `df` degrees of freedom.
+std::vector<TPair>
+t_of_differences(std::span<const Difference> differences, double df, double level = 0.05);
 
 /// Two-sided paired t over observers; `counts` is row-major observers x groups, `divisor` of them
 /// make one unit of score.  Exact up to the last division.
@@ -102,5 +125,8 @@ std::vector<TPair> paired_t(std::span<const std::int64_t> counts,
 /// Two-sided paired t of real values, row-major subjects x groups.
 std::vector<TPair>
 paired_t(std::span<const long double> values, std::size_t groups, double level = 0.05);
+
+/// The pairs that differ at their level.
+std::vector<std::pair<std::size_t, std::size_t>> differing(std::span<const RangePair> pairs);
 
 } // namespace analysis::anova

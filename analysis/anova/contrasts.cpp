@@ -1,5 +1,6 @@
 #include "analysis/anova/contrasts.h"
 
+#include "analysis/anova/box.h"
 #include "protocols/contract.h"
 
 #include <cmath>
@@ -18,9 +19,7 @@ struct Box {
 // Along one axis of n levels; `weights` has a row of n for every level of the result.
 Box combined(const Box& box, std::size_t axis, const std::vector<std::vector<Real>>& weights) {
     const auto n = box.sizes[axis], rows = weights.size();
-    std::size_t inner = 1;
-    for (std::size_t a = axis + 1; a < box.sizes.size(); ++a)
-        inner *= box.sizes[a];
+    const auto inner = stride(box.sizes, axis);
     const auto outer = box.values.size() / (n * inner);
     Box result{box.sizes, std::vector<Real>(outer * rows * inner)};
     result.sizes[axis] = rows;
@@ -47,9 +46,7 @@ std::vector<std::vector<Real>> helmert(std::size_t n) {
 }
 
 void divide_by_lengths(Box& box, std::size_t axis) {
-    std::size_t inner = 1;
-    for (std::size_t a = axis + 1; a < box.sizes.size(); ++a)
-        inner *= box.sizes[a];
+    const auto inner = stride(box.sizes, axis);
     for (std::size_t i = 0; i < box.values.size(); ++i) {
         const auto r = static_cast<Real>(i / inner % box.sizes[axis] + 1);
         box.values[i] /= std::sqrt(r * (r + 1));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 
 namespace analysis::anova {
 
@@ -15,30 +16,30 @@ bool inside(Column a, Column b) {
     return (a & ~b) == 0;
 }
 
-// Drops every column that another one holds.
-std::vector<Column> absorbed(std::vector<Column> columns) {
-    std::sort(columns.begin(), columns.end());
-    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-    std::vector<Column> kept;
-    for (const auto column : columns)
-        if (std::none_of(columns.begin(), columns.end(),
-                         [&](Column other) { return other != column && inside(column, other); }))
-            kept.push_back(column);
-    return kept;
-}
-
-// Each column that holds both gives way to two, each without one of them.
+// Each column that holds both gives way to two, each without one of them; what another column holds
+// is dropped.  Columns that stay hold nothing of each other, nor does a new one hold an old one.
 std::vector<Column> inserted(const std::vector<Column>& columns, Column one, Column other) {
-    std::vector<Column> next;
+    std::vector<Column> next, fresh;
     for (const auto column : columns) {
         if (inside(one | other, column)) {
-            next.push_back(column & ~one);
-            next.push_back(column & ~other);
+            fresh.push_back(column & ~one);
+            fresh.push_back(column & ~other);
         } else {
             next.push_back(column);
         }
     }
-    return absorbed(std::move(next));
+    std::sort(fresh.begin(), fresh.end());
+    fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
+    const auto old = next.size();
+    for (const auto column : fresh) {
+        const auto holds = [&](Column holder) {
+            return holder != column && inside(column, holder);
+        };
+        if (std::none_of(next.begin(), next.begin() + static_cast<std::ptrdiff_t>(old), holds) &&
+            std::none_of(fresh.begin(), fresh.end(), holds))
+            next.push_back(column);
+    }
+    return next;
 }
 
 // Best member first, then the next: the lowest rank that only one of the two holds decides.
@@ -79,6 +80,16 @@ compact_letters(std::span<const std::size_t> ranked,
             if ((columns[c] & bit[item]) != 0)
                 letters[item] += letter(c);
     return letters;
+}
+
+std::vector<std::string>
+letters_by_means(std::span<const double> means,
+                 std::span<const std::pair<std::size_t, std::size_t>> significant) {
+    std::vector<std::size_t> ranked(means.size());
+    std::iota(ranked.begin(), ranked.end(), std::size_t{0});
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [&](auto a, auto b) { return means[a] > means[b]; });
+    return compact_letters(ranked, significant).value_or(std::vector<std::string>{});
 }
 
 } // namespace analysis::anova

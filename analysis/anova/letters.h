@@ -20,6 +20,11 @@ std::optional<std::vector<std::string>>
 compact_letters(std::span<const std::size_t> ranked,
                 std::span<const std::pair<std::size_t, std::size_t>> significant);
 
+/// The same with the largest mean best; empty when too many columns would be needed.
+std::vector<std::string>
+letters_by_means(std::span<const double> means,
+                 std::span<const std::pair<std::size_t, std::size_t>> significant);
+
 /// "a".."z", "aa", "ab", ...
 std::string letter(std::size_t column);
 

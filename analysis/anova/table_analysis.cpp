@@ -6,25 +6,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace analysis::anova {
 
 namespace {
-
-std::vector<std::string> letters_of(const RangeTest& test, std::span<const double> means) {
-    std::vector<std::size_t> ranked(means.size());
-    std::iota(ranked.begin(), ranked.end(), std::size_t{0});
-    std::stable_sort(ranked.begin(), ranked.end(),
-                     [&](auto a, auto b) { return means[a] > means[b]; });
-    std::vector<std::pair<std::size_t, std::size_t>> significant;
-    for (const auto& pair : test.pairs)
-        if (pair.significant)
-            significant.emplace_back(pair.first, pair.second);
-    return compact_letters(ranked, significant).value_or(std::vector<std::string>{});
-}
 
 Expected<std::optional<std::size_t>> control_of(const Measurements& table,
                                                 const TableOptions& options) {
@@ -72,7 +58,7 @@ LevelComparisons compare_levels(const Measurements& table,
     LevelComparisons levels;
     levels.levels = table.levels[0].names();
     levels.tukey = tukey(means, n, error, options.level);
-    levels.letters = letters_of(levels.tukey, means);
+    levels.letters = letters_by_means(means, differing(levels.tukey.pairs));
     if (control)
         levels.dunnett = dunnett(means, n, error, *control, options.level);
     levels.mean = std::move(means);
@@ -80,27 +66,68 @@ LevelComparisons compare_levels(const Measurements& table,
     return levels;
 }
 
-void to_data_unit(LevelComparisons& levels, const numerics::Shifted& shifted) {
-    const auto scale = [&](double& value) {
-        value = shifted.in_data_unit(static_cast<long double>(value), 0);
-    };
-    for (auto& mean : levels.mean)
-        mean = shifted.in_data_unit(static_cast<long double>(mean), shifted.origin);
-    for (auto& sd : levels.sd)
-        scale(sd);
-    auto& mse = levels.tukey.mean_square_error;
-    mse = shifted.squares_in_data_unit(static_cast<long double>(mse));
-    scale(levels.tukey.comparison_half_width);
-    for (auto* pairs : {&levels.tukey.pairs, &levels.games_howell})
-        for (auto& pair : *pairs)
+namespace {
+
+// Differences and what is measured in their unit.
+class Unit {
+  public:
+    explicit Unit(const numerics::Shifted& shifted) : shifted_(shifted) {}
+
+    void difference(double& value) const {
+        value = shifted_.in_data_unit(static_cast<long double>(value), 0);
+    }
+
+    void mean(double& value) const {
+        value = shifted_.in_data_unit(static_cast<long double>(value), shifted_.origin);
+    }
+
+    void put(RangeTest& test) const {
+        auto& mse = test.mean_square_error;
+        mse = shifted_.squares_in_data_unit(static_cast<long double>(mse));
+        difference(test.comparison_half_width);
+        put(test.pairs);
+    }
+
+    void put(std::vector<RangePair>& pairs) const {
+        for (auto& pair : pairs)
             for (auto* value : {&pair.difference, &pair.standard_error, &pair.lower, &pair.upper})
-                scale(*value);
-    for (auto& pair : levels.t)
-        scale(pair.difference);
+                difference(*value);
+    }
+
+    void put(std::vector<TPair>& pairs) const {
+        for (auto& pair : pairs)
+            for (auto* value : {&pair.difference, &pair.standard_error})
+                difference(*value);
+    }
+
+  private:
+    const numerics::Shifted& shifted_;
+};
+
+} // namespace
+
+void to_data_unit(LevelComparisons& levels, const numerics::Shifted& shifted) {
+    const Unit unit(shifted);
+    for (auto& mean : levels.mean)
+        unit.mean(mean);
+    for (auto& sd : levels.sd)
+        unit.difference(sd);
+    unit.put(levels.tukey);
+    unit.put(levels.games_howell);
+    unit.put(levels.t);
     if (levels.dunnett)
         for (auto& pair : levels.dunnett->pairs)
             for (auto* value : {&pair.difference, &pair.lower, &pair.upper})
-                scale(*value);
+                unit.difference(*value);
+}
+
+void to_data_unit(MarginalMeans& means, const numerics::Shifted& shifted) {
+    const Unit unit(shifted);
+    for (auto& mean : means.mean)
+        unit.mean(mean);
+    if (means.tukey)
+        unit.put(*means.tukey);
+    unit.put(means.t);
 }
 
 void add_term(TableAnalysis& result, TableTerm term) {

@@ -3,6 +3,7 @@
 
 #include "analysis/anova/comparisons.h"
 #include "analysis/anova/effect_size.h"
+#include "analysis/anova/marginal_means.h"
 #include "analysis/anova/measurements.h"
 #include "analysis/anova/model_comparison.h"
 #include "analysis/anova/shapiro_wilk.h"
@@ -49,6 +50,14 @@ struct LevelComparisons {
     std::optional<FTest> welch, levene, brown_forsythe;
 };
 
+/// The same for one of several factors, over the levels of the others.
+struct FactorComparisons {
+    std::string factor;
+    std::vector<std::string> levels;
+    bool within = false; ///< varies within subjects
+    MarginalMeans means; ///< `factor` there is the table's
+};
+
 struct TableAnalysis {
     MeasurementColumns columns;
     TableOptions options;
@@ -61,8 +70,9 @@ struct TableAnalysis {
     double residual_sd = undefined;
     Variation total;
     double r_squared = undefined;
-    ShapiroWilk normality; ///< of the residuals
-    std::optional<LevelComparisons> levels;
+    ShapiroWilk normality;                  ///< of the residuals
+    std::optional<LevelComparisons> levels; ///< of a single factor
+    std::vector<FactorComparisons> factors; ///< of several
     std::vector<std::string> notes;
 };
 

@@ -31,18 +31,22 @@ struct Sum {
 };
 
 // Codes of between levels that only dropped subjects had would leave gaps.
-void close_gaps(RepeatedDesign& design) {
+std::vector<std::vector<std::size_t>> close_gaps(RepeatedDesign& design) {
+    std::vector<std::vector<std::size_t>> kept;
     for (std::size_t f = 0; f < design.between.size(); ++f) {
         std::map<std::size_t, std::size_t> codes;
         for (const auto& group : design.groups)
             codes.emplace(group[f], 0);
-        std::size_t next = 0;
-        for (auto& [old, code] : codes)
-            code = next++;
+        auto& levels = kept.emplace_back();
+        for (auto& [old, code] : codes) {
+            code = levels.size();
+            levels.push_back(old);
+        }
         for (auto& group : design.groups)
             group[f] = codes[group[f]];
         design.between[f].levels = codes.size();
     }
+    return kept;
 }
 
 } // namespace
@@ -133,7 +137,7 @@ SubjectCells subject_cells(const Measurements& table, const numerics::Shifted& s
         for (const auto& sum : own)
             result.values.push_back(sum.sum / static_cast<long double>(sum.count));
     }
-    close_gaps(result.design);
+    result.between_levels = close_gaps(result.design);
     return result;
 }
 

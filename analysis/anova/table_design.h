@@ -35,10 +35,12 @@ empty_cells(const Measurements& table, const std::vector<CellValues>& cells, std
 struct SubjectCells {
     RepeatedDesign design;
     std::vector<std::size_t> between, within; ///< factors of the table, by index
-    std::vector<std::uint32_t> subjects;      ///< codes of those kept
-    std::vector<long double> values;          ///< subjects x within cells
-    std::vector<std::string> left_out;        ///< subjects with an empty cell
-    bool replicated = false;                  ///< some cell had more than one value
+    /// The table's level of each of the design's: some go with the subjects that are left out.
+    std::vector<std::vector<std::size_t>> between_levels;
+    std::vector<std::uint32_t> subjects; ///< codes of those kept
+    std::vector<long double> values;     ///< subjects x within cells
+    std::vector<std::string> left_out;   ///< subjects with an empty cell
+    bool replicated = false;             ///< some cell had more than one value
 };
 
 SubjectCells subject_cells(const Measurements& table, const numerics::Shifted& shifted);

@@ -127,14 +127,39 @@ std::vector<long double> centred_means(const std::vector<CellValues>& cells, lon
     return means;
 }
 
-ModelComparison models_of(const Measurements& table, const std::vector<CellValues>& cells) {
+std::vector<Factor> factors_of(const Measurements& table) {
     std::vector<Factor> factors;
     for (std::size_t f = 0; f < table.levels.size(); ++f)
         factors.push_back({table.names.factors[f], table.levels[f].size()});
+    return factors;
+}
+
+std::vector<Cell> counts_of(const std::vector<CellValues>& cells) {
     std::vector<Cell> counts;
     for (const auto& cell : cells)
         counts.push_back(cell.cell);
-    return {std::move(factors), std::move(counts)};
+    return counts;
+}
+
+ModelComparison models_of(const Measurements& table, const std::vector<CellValues>& cells) {
+    return {factors_of(table), counts_of(cells)};
+}
+
+// One factor is compared more fully elsewhere.
+void compare_factors(TableAnalysis& result,
+                     const Measurements& table,
+                     const std::vector<CellValues>& cells,
+                     const Shifted& shifted) {
+    const auto factors = factors_of(table);
+    std::vector<long double> means;
+    for (const auto& cell : cells)
+        means.push_back(cell.mean());
+    for (auto& found :
+         marginal_means(factors, counts_of(cells), means, result.residual, result.options.level)) {
+        to_data_unit(found, shifted);
+        result.factors.push_back({factors[found.factor].name, table.levels[found.factor].names(),
+                                  false, std::move(found)});
+    }
 }
 
 std::string note_on_balance(const ModelComparison& models, std::size_t factors) {
@@ -194,6 +219,8 @@ Expected<TableAnalysis> independent_analysis(TableAnalysis result,
     for (std::size_t c = 0; c < cells.size(); ++c)
         total += static_cast<long double>(cells[c].values.size()) * means[c] * means[c];
     result.total = {static_cast<double>(total), values - 1};
+    if (table.levels.size() > 1)
+        compare_factors(result, table, cells, shifted);
     finish_sums(result, shifted);
     if (table.levels.size() == 1)
         one_way_extras(result, table, cells, shifted, control);

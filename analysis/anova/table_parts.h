@@ -26,6 +26,7 @@ LevelComparisons compare_levels(const Measurements& table,
 
 /// The same for levels.
 void to_data_unit(LevelComparisons& levels, const numerics::Shifted& shifted);
+void to_data_unit(MarginalMeans& means, const numerics::Shifted& shifted);
 
 /// Every value independent of the others.
 Expected<TableAnalysis> independent_analysis(TableAnalysis result,

@@ -43,6 +43,32 @@ void repeated_levels(TableAnalysis& result,
     to_data_unit(*result.levels, shifted);
 }
 
+// One factor is compared more fully elsewhere.
+void compare_factors(TableAnalysis& result,
+                     const Measurements& table,
+                     const SubjectCells& cells,
+                     const Shifted& shifted) {
+    const double level = result.options.level;
+    result.factors.resize(table.levels.size());
+    const auto put = [&](MarginalMeans& means, std::size_t factor, bool within) {
+        means.factor = factor;
+        to_data_unit(means, shifted);
+        result.factors[factor] = {table.names.factors[factor], {}, within, std::move(means)};
+    };
+    for (auto& means : marginal_means_within(cells.design, cells.values, level))
+        put(means, cells.within[means.factor], true);
+    for (auto& means : marginal_means_between(cells.design, cells.values, level))
+        put(means, cells.between[means.factor], false);
+    for (std::size_t f = 0; f < table.levels.size(); ++f)
+        result.factors[f].levels = table.levels[f].names();
+    for (std::size_t b = 0; b < cells.between.size(); ++b) {
+        auto& names = result.factors[cells.between[b]].levels;
+        names.clear();
+        for (const auto kept : cells.between_levels[b])
+            names.push_back(table.levels[cells.between[b]].name(kept));
+    }
+}
+
 // y - m_cell - m_subject + m: within a group of subjects that share all between levels.
 std::vector<double> repeated_residuals(const SubjectCells& cells) {
     const auto n = cells.subjects.size(), k = cells.values.size() / n;
@@ -138,6 +164,8 @@ Expected<TableAnalysis> repeated_analysis(TableAnalysis result,
     finish_sums(result, shifted);
     if (table.levels.size() == 1)
         repeated_levels(result, table, cells, shifted, analysis.effects[0].error, control);
+    else
+        compare_factors(result, table, cells, shifted);
     result.normality = shapiro_wilk(repeated_residuals(cells));
     return result;
 }

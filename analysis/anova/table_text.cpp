@@ -64,10 +64,14 @@ void terms_table(std::string& text, const TableAnalysis& analysis) {
                         value(analysis.residual_sd));
 }
 
+std::size_t widest(const std::vector<std::string>& names, std::size_t least) {
+    for (const auto& name : names)
+        least = std::max(least, name.size());
+    return least;
+}
+
 void levels_table(std::string& text, const LevelComparisons& found) {
-    std::size_t width = 5;
-    for (const auto& level : found.levels)
-        width = std::max(width, level.size());
+    const auto width = widest(found.levels, 5);
     text +=
         fmt::format("{:<{}}  {:>6} {:>12} {:>12}  letters\n", "level", width, "n", "mean", "SD");
     for (std::size_t i = 0; i < found.levels.size(); ++i)
@@ -95,6 +99,43 @@ void levels_table(std::string& text, const LevelComparisons& found) {
         text += fmt::format("{:<{}}  {:>12}  {:<28}  p {:>9}{}\n", found.levels[pair.level], width,
                             value(pair.difference), interval(pair.lower, pair.upper),
                             p_text(pair.p), pair.significant ? "  *" : "");
+}
+
+// Between: by the studentized range.  Within: each pair by its own spread over subjects.
+void factor_table(std::string& text, const FactorComparisons& found) {
+    const auto& means = found.means;
+    text += fmt::format("{}, means over the other factors:", found.factor);
+    if (!means.reason.empty()) {
+        text += fmt::format(" n/e ({})\n\n", means.reason);
+        return;
+    }
+    const auto width = widest(found.levels, 5);
+    text += fmt::format("\n{:<{}}  {:>12}  letters\n", "level", width, "mean");
+    for (std::size_t i = 0; i < found.levels.size(); ++i)
+        text += fmt::format("{:<{}}  {:>12}  {}\n", found.levels[i], width, value(means.mean[i]),
+                            means.letters.empty() ? "(too many)" : means.letters[i]);
+    text += means.tukey
+                ? fmt::format("Pairs: Tukey-Kramer, simultaneous level {}, critical q {}\n",
+                              means.tukey->level, value(means.tukey->q_critical))
+                : "Pairs: paired t, each with its own error, Holm over the pairs of this factor\n";
+    for (std::size_t i = 0; i < means.t.size(); ++i) {
+        const auto& pair = means.t[i];
+        text += fmt::format("{:<{}}  {:<{}}  {:>12}", found.levels[pair.first], width,
+                            found.levels[pair.second], width, value(pair.difference));
+        if (means.tukey) {
+            const auto& range = means.tukey->pairs[i];
+            text += fmt::format("  {:<28}  p Tukey {:>9}", interval(range.lower, range.upper),
+                                p_text(range.p, range.log10_p));
+        } else {
+            text += fmt::format("  t({:g}) {:>10}  p {:>9}", pair.df, value(pair.t),
+                                p_text(pair.p, pair.log10_p));
+        }
+        const bool significant =
+            means.tukey ? means.tukey->pairs[i].significant : pair.significant_holm;
+        text += fmt::format("  p Holm {:>9}  p Bonferroni {:>9}{}\n", p_text(pair.p_holm),
+                            p_text(pair.p_bonferroni), significant ? "  *" : "");
+    }
+    text += "\n";
 }
 
 void check_line(std::string& text, const char* name, const FTest& test) {
@@ -127,6 +168,8 @@ std::string table_text(const TableAnalysis& analysis) {
             check_line(text, "Brown-Forsythe", *analysis.levels->brown_forsythe);
         }
     }
+    for (const auto& factor : analysis.factors)
+        factor_table(text, factor);
     text += fmt::format("Shapiro-Wilk of the residuals: W = {}, {}{}\n",
                         value(analysis.normality.w), p_phrase(analysis.normality.p),
                         analysis.normality.reason.empty() ? ""

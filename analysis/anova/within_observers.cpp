@@ -1,5 +1,6 @@
 #include "analysis/anova/within_observers.h"
 
+#include "analysis/anova/box.h"
 #include "analysis/exact.h"
 #include "protocols/contract.h"
 
@@ -25,9 +26,7 @@ struct Box {
 template <class Number>
 Box<Number> deviations(const Box<Number>& box, std::size_t axis) {
     const auto n = box.sizes[axis];
-    std::size_t inner = 1;
-    for (std::size_t a = axis + 1; a < box.sizes.size(); ++a)
-        inner *= box.sizes[a];
+    const auto inner = stride(box.sizes, axis);
     auto result = box;
     for (std::size_t outer = 0; outer < box.values.size(); outer += n * inner)
         for (std::size_t i = 0; i < inner; ++i) {
@@ -45,9 +44,7 @@ Box<Number> deviations(const Box<Number>& box, std::size_t axis) {
 template <class Number>
 Box<Number> summed(const Box<Number>& box, std::size_t axis) {
     const auto n = box.sizes[axis];
-    std::size_t inner = 1;
-    for (std::size_t a = axis + 1; a < box.sizes.size(); ++a)
-        inner *= box.sizes[a];
+    const auto inner = stride(box.sizes, axis);
     Box<Number> result{box.sizes, {}, box.resolution};
     result.sizes[axis] = 1;
     result.values.resize(box.values.size() / n);
@@ -104,9 +101,7 @@ std::vector<std::vector<double>> helmert(std::size_t n) {
 Box<double> contrasted(const Box<double>& box, std::size_t axis) {
     const auto n = box.sizes[axis];
     const auto contrasts = helmert(n);
-    std::size_t inner = 1;
-    for (std::size_t a = axis + 1; a < box.sizes.size(); ++a)
-        inner *= box.sizes[a];
+    const auto inner = stride(box.sizes, axis);
     const auto outer = box.values.size() / (n * inner);
     Box<double> result{box.sizes, std::vector<double>(outer * (n - 1) * inner), 0};
     result.sizes[axis] = n - 1;

@@ -75,13 +75,13 @@ Nemenyi nemenyi(const RankTest& ranks, double level) {
     const double se = std::sqrt(k * (k + 1) / (12 * b));
     const double infinite = std::numeric_limits<double>::infinity();
     Nemenyi result;
+    numerics::StudentizedRanges ranges(k);
     result.critical_difference = numerics::studentized_range_quantile(level, k, infinite) * se;
     for (std::size_t i = 0; i < ranks.conditions; ++i)
         for (std::size_t j = i + 1; j < ranks.conditions; ++j) {
             const double difference = (ranks.rank_sums[i] - ranks.rank_sums[j]) / b;
             const double q = std::abs(difference) / se;
-            result.pairs.push_back(
-                {i, j, difference, q, numerics::studentized_range_upper_tail(q, k, infinite).p});
+            result.pairs.push_back({i, j, difference, q, ranges.upper_tail(q, infinite).p});
         }
     return result;
 }

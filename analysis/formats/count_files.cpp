@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace analysis::formats {
@@ -46,6 +47,10 @@ class Counter {
 
     void know(std::string_view condition) { table_.conditions.code(condition); }
 
+    void simulated() { table_.simulated = true; }
+
+    void remark(std::string note) { table_.notes.push_back(std::move(note)); }
+
     Expected<VoteTable> finish(const std::string& name, bool observers_named) {
         if (table_.size() == 0)
             return tl::unexpected(fmt::format("{}:1: no votes", name));
@@ -61,7 +66,7 @@ class Counter {
 
 struct PairColumns {
     int first = -1, second = -1, first_wins = -1, second_wins = -1, ties = -1, observer = -1,
-        session = -1;
+        session = -1, scope = -1, simulated = -1;
     std::vector<std::size_t> factors;
     std::vector<std::string> factor_names;
     std::size_t count = 0;
@@ -82,7 +87,8 @@ std::string read_pair_header(std::span<const std::string_view> fields, PairColum
         {"win1", &columns.first_wins},  {"win2", &columns.second_wins},
         {"votes", &columns.first_wins}, {"count", &columns.first_wins},
         {"ties", &columns.ties},        {"observer", &columns.observer},
-        {"subject", &columns.observer}, {"session", &columns.session}};
+        {"subject", &columns.observer}, {"session", &columns.session},
+        {"scope", &columns.scope},      {"simulated", &columns.simulated}};
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const auto* found = std::find_if(std::begin(known), std::end(known),
                                          [&](const auto& k) { return k.first == fields[i]; });
@@ -100,8 +106,51 @@ std::string read_pair_header(std::span<const std::string_view> fields, PairColum
     return {};
 }
 
+std::string_view field(std::span<const std::string_view> fields, int column) {
+    return column < 0 || static_cast<std::size_t>(column) >= fields.size()
+               ? std::string_view()
+               : fields[static_cast<std::size_t>(column)];
+}
+
+std::ptrdiff_t columns_kept(const std::string& scope) {
+    return scope == "all" ? 0 : 1 + std::count(scope.begin(), scope.end(), '*');
+}
+
+// A table of matrices says the same votes again in every scope: the one that keeps most columns
+// apart is read.  "" without scopes.
+Expected<std::string> scope_to_read(std::string_view text, const std::string& name) {
+    PairColumns columns;
+    std::vector<std::string> scopes;
+    const auto records =
+        read_csv(text, name, [&](std::int64_t, std::span<const std::string_view> fields) {
+            if (columns.count == 0)
+                return read_pair_header(fields, columns);
+            const auto scope = field(fields, columns.scope);
+            if (columns.scope >= 0 &&
+                std::find(scopes.begin(), scopes.end(), scope) == scopes.end())
+                scopes.emplace_back(scope);
+            return std::string();
+        });
+    if (!records)
+        return tl::unexpected(records.error());
+    if (scopes.empty())
+        return std::string();
+    const auto coarser = [](const auto& a, const auto& b) {
+        return columns_kept(a) < columns_kept(b);
+    };
+    const auto& finest = *std::max_element(scopes.begin(), scopes.end(), coarser);
+    for (const auto& other : scopes)
+        if (other != finest && columns_kept(other) == columns_kept(finest))
+            return tl::unexpected(fmt::format(
+                "{}:1: scopes '{}' and '{}' may say the same votes twice; leave the rows of one",
+                name, finest, other));
+    return finest;
+}
+
 class PairReader {
   public:
+    explicit PairReader(std::string scope) : scope_(std::move(scope)) {}
+
     std::string operator()(std::int64_t, std::span<const std::string_view> fields) {
         if (columns_.count == 0) {
             auto wrong = read_pair_header(fields, columns_);
@@ -113,6 +162,10 @@ class PairReader {
         }
         if (fields.size() != columns_.count)
             return fmt::format("{} fields, expected {}", fields.size(), columns_.count);
+        if (columns_.scope >= 0 && field(fields, columns_.scope) != scope_)
+            return {};
+        if (columns_.simulated >= 0 && field(fields, columns_.simulated) == "1")
+            counter_->simulated();
         VoteRow row{.observer = text(fields, columns_.observer, "all"),
                     .session = text(fields, columns_.session, "1"),
                     .left = text(fields, columns_.first, ""),
@@ -130,6 +183,13 @@ class PairReader {
             if (!votes)
                 return fmt::format("'{}', expected a count: a whole number, 0 or more",
                                    field(fields, column));
+            if (chosen == protocols::Choice::Tie && columns_.scope >= 0) {
+                auto wrong = told_before(row, *votes);
+                if (!wrong)
+                    continue;
+                if (!wrong->empty())
+                    return *wrong;
+            }
             if (auto wrong = counter_->add(row, chosen, *votes); !wrong.empty())
                 return wrong;
         }
@@ -139,19 +199,41 @@ class PairReader {
     Expected<VoteTable> finish(const std::string& name) {
         if (!counter_)
             return tl::unexpected(fmt::format("{}:1: the file is empty", name));
-        return counter_->finish(name, columns_.observer >= 0);
+        if (!scope_.empty())
+            counter_->remark(fmt::format("the matrices of scope '{}' were read: the other scopes "
+                                         "are sums of them",
+                                         scope_));
+        const bool named =
+            columns_.observer >= 0 && (scope_.empty() || scope_.find("observer") != scope_.npos);
+        return counter_->finish(name, named);
     }
 
   private:
-    static std::string_view field(std::span<const std::string_view> fields, int column) {
-        return fields[static_cast<std::size_t>(column)];
+    // Scopes leave empty what they pool.
+    std::string
+    text(std::span<const std::string_view> fields, int column, const char* without) const {
+        const auto found = field(fields, column);
+        return column < 0 || (found.empty() && !scope_.empty()) ? without : std::string(found);
     }
 
-    static std::string
-    text(std::span<const std::string_view> fields, int column, const char* without) {
-        return column < 0 ? without : std::string(field(fields, column));
+    // A matrix has each pair in two rows, and the ties in both: nothing when they were counted
+    // already, "" when not, or what is wrong.
+    std::optional<std::string> told_before(const VoteRow& row, std::int64_t ties) {
+        std::vector<std::string> key{row.observer, row.session};
+        key.insert(key.end(), row.scene.begin(), row.scene.end());
+        key.push_back(std::min(row.left, row.right));
+        key.push_back(std::max(row.left, row.right));
+        const auto [known, added] = ties_.emplace(std::move(key), ties);
+        if (added)
+            return "";
+        if (known->second == ties)
+            return std::nullopt;
+        return fmt::format("{} ties of '{}' and '{}', the row the other way round has {}", ties,
+                           row.left, row.right, known->second);
     }
 
+    std::string scope_;
+    std::map<std::vector<std::string>, std::int64_t> ties_;
     PairColumns columns_;
     std::optional<Counter> counter_;
 };
@@ -203,7 +285,10 @@ std::string name_of(std::size_t place) {
 } // namespace
 
 Expected<VoteTable> read_pair_counts(std::string_view text, const std::string& name) {
-    PairReader reader;
+    auto scope = scope_to_read(text, name);
+    if (!scope)
+        return tl::unexpected(scope.error());
+    PairReader reader(std::move(*scope));
     const auto records = read_csv(text, name, std::ref(reader));
     if (!records)
         return tl::unexpected(records.error());

@@ -12,9 +12,11 @@ namespace analysis::formats {
 inline constexpr std::int64_t most_votes = 20'000'000;
 
 /// Rows of `winner`, `loser` and how often (`votes` or `count`; 1 without), or of `player1`,
-/// `player2`, `win1`, `win2` and `ties`; other columns are `observer` or scene factors.  Two
-/// numbers a row without a header are winner and loser. Errors: `name:line: ...` for what is not a
-/// count, a condition against itself, too many votes.
+/// `player2`, `win1`, `win2` and `ties`; other columns are `observer`, `session` or scene factors.
+/// With a column `scope`, as the program's own matrices have, the finest scope is read and the
+/// pooled ones passed over.  Two numbers a row without a header are winner and loser.
+/// Errors: `name:line: ...` for what is not a count, a condition against itself, too many votes,
+/// scopes of which none is the finest, ties that differ between a pair's two rows.
 Expected<VoteTable> read_pair_counts(std::string_view text, const std::string& name);
 
 /// A square matrix of counts, row chosen over column.  With a header row its first name is over the

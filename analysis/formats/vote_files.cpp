@@ -2,6 +2,7 @@
 
 #include "analysis/csv.h"
 #include "analysis/formats/count_files.h"
+#include "analysis/formats/sureal_file.h"
 #include "analysis/formats/wide_files.h"
 #include "analysis/utf8.h"
 #include "analysis/vote_csv.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace analysis::formats {
 
@@ -80,6 +82,8 @@ bool header_of_votes(std::string_view text, const std::string& name) {
 Expected<VoteFormat> detect(std::string_view text, const std::string& name) {
     if (header_of_votes(text, name))
         return VoteFormat::Long;
+    if (looks_like_sureal(text))
+        return VoteFormat::Sureal;
     const auto shape = shape_of(text, name);
     if (!shape)
         return tl::unexpected(shape.error());
@@ -89,6 +93,11 @@ Expected<VoteFormat> detect(std::string_view text, const std::string& name) {
         return format_of_numbers(*shape, name);
     if (has(*shape, "winner") || has(*shape, "player1"))
         return VoteFormat::Pairs;
+    if (has(*shape, "max_votes") && has(*shape, "share"))
+        return tl::unexpected(
+            fmt::format("{}:1: scores do not say who was chosen over whom; export "
+                        "the votes with --format long or matrices",
+                        name));
     const std::vector<std::string_view> header(shape->first.begin(), shape->first.end());
     if (has_pair_columns(header)) {
         if (shape->minus_one)
@@ -103,18 +112,8 @@ Expected<VoteFormat> detect(std::string_view text, const std::string& name) {
     return square && !has(*shape, "observer") ? VoteFormat::Matrix : VoteFormat::Long;
 }
 
-} // namespace
-
 Expected<VoteTable>
-read_vote_file(std::string_view text, const std::string& name, VoteFormat format, Repeats repeats) {
-    if (auto fault = utf8_fault(text, name); !fault.empty())
-        return tl::unexpected(std::move(fault));
-    if (format == VoteFormat::Detect) {
-        const auto detected = detect(text, name);
-        if (!detected)
-            return tl::unexpected(detected.error());
-        format = *detected;
-    }
+read_as(VoteFormat format, std::string_view text, const std::string& name, Repeats repeats) {
     switch (format) {
     case VoteFormat::Detect:
     case VoteFormat::Long:
@@ -129,8 +128,53 @@ read_vote_file(std::string_view text, const std::string& name, VoteFormat format
         return read_wide_votes(text, name, SecondChosen::Zero);
     case VoteFormat::PairedComparison:
         return read_wide_votes(text, name, SecondChosen::MinusOne);
+    case VoteFormat::Sureal:
+        return read_sureal_data_set(text, name);
     }
     return read_votes_csv(text, name, repeats);
+}
+
+std::string_view without_blanks_around(std::string_view name) {
+    const auto first = name.find_first_not_of(" \t\r\n");
+    if (first == name.npos)
+        return {};
+    return name.substr(first, name.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+// "b" and " b" would be two conditions, which nobody sees in a table.
+std::string twins_but_for_blanks(const Dictionary& names, const char* what) {
+    std::map<std::string_view, const std::string*> seen;
+    for (const auto& name : names.names()) {
+        const auto [known, added] = seen.emplace(without_blanks_around(name), &name);
+        if (!added)
+            return fmt::format("{} '{}' and '{}' differ only in blanks around them, expected one "
+                               "spelling",
+                               what, *known->second, name);
+    }
+    return {};
+}
+
+} // namespace
+
+Expected<VoteTable>
+read_vote_file(std::string_view text, const std::string& name, VoteFormat format, Repeats repeats) {
+    if (auto fault = utf8_fault(text, name); !fault.empty())
+        return tl::unexpected(std::move(fault));
+    if (format == VoteFormat::Detect) {
+        const auto detected = detect(text, name);
+        if (!detected)
+            return tl::unexpected(detected.error());
+        format = *detected;
+    }
+    auto table = read_as(format, text, name, repeats);
+    if (!table)
+        return table;
+    auto twins = twins_but_for_blanks(table->conditions, "conditions");
+    if (twins.empty())
+        twins = twins_but_for_blanks(table->observers, "observers");
+    if (!twins.empty())
+        return tl::unexpected(fmt::format("{}: {}", name, twins));
+    return table;
 }
 
 } // namespace analysis::formats

@@ -49,6 +49,7 @@ class WideReader {
             row.scene.emplace_back(fields[factor]);
         if (row.observer.empty())
             return "an empty observer, expected a name";
+        table_->simulated = table_->simulated || (simulated_ >= 0 && at(fields, simulated_) == "1");
         for (const auto& pair : pairs_)
             if (auto wrong = answer(row, pair, fields[pair.column]); !wrong.empty())
                 return wrong;
@@ -83,6 +84,8 @@ class WideReader {
                 observer_ = static_cast<int>(i);
             } else if (fields[i] == "session") {
                 session_ = static_cast<int>(i);
+            } else if (fields[i] == "simulated") {
+                simulated_ = static_cast<int>(i);
             } else {
                 factors_.push_back(i);
                 names.emplace_back(fields[i]);
@@ -118,7 +121,7 @@ class WideReader {
     SecondChosen second_;
     std::size_t width_ = 0;
     std::int64_t row_ = 0, not_asked_ = 0;
-    int observer_ = -1, session_ = -1;
+    int observer_ = -1, session_ = -1, simulated_ = -1;
     std::vector<Pair> pairs_;
     std::vector<std::size_t> factors_;
     std::optional<VoteTable> table_;

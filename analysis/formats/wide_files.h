@@ -13,9 +13,9 @@ namespace analysis::formats {
 enum class SecondChosen { Zero, MinusOne };
 
 /// Columns `A:B` (or `V12`: condition 1 against 2, one digit each) hold answers, empty or NA where
-/// the pair was not asked; `observer`, `subject`, `participant` or `participant_id`, and `session`
-/// are known; other columns are scene factors.  Without an observer each row is one.
-/// Errors: `name:line: ...` for an answer of another form, a header without pairs.
+/// the pair was not asked; `observer`, `subject`, `participant` or `participant_id`, `session`
+/// and `simulated` are known; other columns are scene factors.  Without an observer each row is
+/// one. Errors: `name:line: ...` for an answer of another form, a header without pairs.
 Expected<VoteTable>
 read_wide_votes(std::string_view text, const std::string& name, SecondChosen second);
 

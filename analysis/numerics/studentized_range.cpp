@@ -15,6 +15,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace analysis::numerics {
@@ -174,6 +176,53 @@ class InfiniteRange {
     std::vector<Node> grid_;
 };
 
+// The upper tail of such a range over exp(-w^2 / 4), by which it falls: an entire function that
+// hardly changes, so short pieces of it are polynomials to the last bit.  A piece is made when it
+// is first asked for.  Width and degree were chosen by the error against the sums themselves, which
+// 16 instead of 20 terms double.
+class RangePieces {
+  public:
+    explicit RangePieces(double k) : range_(k, 1.0) {}
+
+    Real log_upper(Real w) {
+        if (w >= largest_inner_w)
+            return range_.log_upper(w);
+        const auto place = static_cast<std::size_t>(w / width);
+        if (place >= pieces_.size())
+            pieces_.resize(place + 1);
+        auto& piece = pieces_[place];
+        if (piece.empty())
+            piece = made(place);
+        const Real x = (w - (static_cast<Real>(place) + 0.5L) * width) / (width / 2);
+        Real next = 0, after = 0; // Clenshaw's recurrence
+        for (auto n = piece.size(); n-- > 1;)
+            after = std::exchange(next, 2 * x * next - after + piece[n]);
+        return std::log(x * next - after + piece[0]) - w * w / 4;
+    }
+
+  private:
+    static constexpr Real width = 0.25L;
+    static constexpr std::size_t terms = 20;
+
+    // Chebyshev's coefficients by his nodes.
+    std::vector<Real> made(std::size_t place) {
+        std::vector<Real> piece(terms, 0);
+        constexpr auto count = static_cast<Real>(terms);
+        for (std::size_t i = 0; i < terms; ++i) {
+            const Real angle = std::numbers::pi_v<Real> * (static_cast<Real>(i) + 0.5L) / count;
+            const Real w = (static_cast<Real>(place) + 0.5L + std::cos(angle) / 2) * width;
+            const Real value = std::exp(range_.log_upper(w) + w * w / 4);
+            for (std::size_t n = 0; n < terms; ++n)
+                piece[n] +=
+                    (n == 0 ? 1 : 2) / count * value * std::cos(static_cast<Real>(n) * angle);
+        }
+        return piece;
+    }
+
+    InfiniteRange range_;
+    std::vector<std::vector<Real>> pieces_;
+};
+
 // Sum of exponentials whose exponents may lie outside any floating format.
 class LogSum {
   public:
@@ -197,6 +246,15 @@ class LogSum {
 
 enum class Side { Lower, Upper };
 
+// The integrand is about as wide in u as the deviation and the range allow: 1/sqrt(2 nu) for the
+// one; for the other 1/sqrt(2 n) where tail(w) goes as w^n, and 1/ln k in its middle.
+double deviation_step(Side side, double k, double nu) {
+    const double many = std::max(1.0, std::log(k) / std::log(8.0));
+    if (side == Side::Upper)
+        return std::min(0.094 / (many * many), 0.36 / std::sqrt(nu));
+    return std::min(0.077 / (many * many), 0.33 / std::sqrt(nu + k - 1));
+}
+
 class StudentizedRange {
   public:
     StudentizedRange(double k, double df, double step_scale)
@@ -209,7 +267,7 @@ class StudentizedRange {
         };
         if (std::isinf(nu_))
             return std::min<Real>(0, infinite(q));
-        const Real h = step_scale_ * step(side);
+        const Real h = step_scale_ * deviation_step(side, k_, nu_);
         LogSum sum;
         for (const int direction : {1, -1}) {
             int quiet = 0;
@@ -223,30 +281,31 @@ class StudentizedRange {
     }
 
   private:
-    // The integrand is about as wide in u as the deviation and the range allow: 1/sqrt(2 nu) for
-    // the one; for the other 1/sqrt(2 n) where tail(w) goes as w^n, and 1/ln k in its middle.
-    double step(Side side) const {
-        const double many = std::max(1.0, std::log(k_) / std::log(8.0));
-        if (side == Side::Upper)
-            return std::min(0.094 / (many * many), 0.36 / std::sqrt(nu_));
-        return std::min(0.077 / (many * many), 0.33 / std::sqrt(nu_ + k_ - 1));
-    }
-
     double k_, nu_, step_scale_;
     InfiniteRange range_;
     Real scale_;
 };
 
-Tail tail_of(Side side, double q, double k, double df, double step_scale) {
-    EXPECTS(k >= 2 && std::isfinite(k) && df > 0 && step_scale > 0);
-    if (std::isnan(q))
-        return {q, q};
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (q <= 0 || std::isinf(q))
-        return (q > 0) == (side == Side::Lower) ? Tail{1, 0} : Tail{0, -infinity};
-    const Real log_p = StudentizedRange(k, df, step_scale).log_tail(side, q);
+Tail tail_of_log(Real log_p) {
     return {static_cast<double>(std::exp(log_p)),
             static_cast<double>(log_p / std::numbers::ln10_v<Real>)};
+}
+
+// What needs no integral: NaN, and where everything or nothing is beyond q.
+std::optional<Tail> plain_tail(Side side, double q) {
+    if (std::isnan(q))
+        return Tail{q, q};
+    if (q <= 0 || std::isinf(q))
+        return (q > 0) == (side == Side::Lower) ? Tail{1, 0}
+                                                : Tail{0, -std::numeric_limits<double>::infinity()};
+    return std::nullopt;
+}
+
+Tail tail_of(Side side, double q, double k, double df, double step_scale) {
+    EXPECTS(k >= 2 && std::isfinite(k) && df > 0 && step_scale > 0);
+    if (const auto plain = plain_tail(side, q))
+        return *plain;
+    return tail_of_log(StudentizedRange(k, df, step_scale).log_tail(side, q));
 }
 
 } // namespace
@@ -257,6 +316,67 @@ Tail studentized_range_upper_tail(double q, double k, double df, double step_sca
 
 Tail studentized_range_lower_tail(double q, double k, double df, double step_scale) {
     return tail_of(Side::Lower, q, k, df, step_scale);
+}
+
+// For one number of degrees of freedom the nodes in u stay, with their weights and e^u.
+struct StudentizedRanges::Shared {
+    struct Node {
+        Real weight, scale;
+    };
+
+    explicit Shared(double groups) : k(groups), range(groups) {}
+
+    void lay_nodes(double df) {
+        nu = df;
+        h = deviation_step(Side::Upper, k, nu);
+        scale = log_deviation_scale(df);
+        for (auto* nodes : {&up, &down})
+            nodes->clear();
+    }
+
+    const Node& node(bool upward, std::size_t place) {
+        auto& nodes = upward ? up : down;
+        while (nodes.size() <= place) {
+            const auto j = static_cast<Real>(nodes.size());
+            const Real u = h * (upward ? j : -1 - j);
+            nodes.push_back({nu * deviation_exponent(u), std::exp(u)});
+        }
+        return nodes[place];
+    }
+
+    Real log_upper(Real q) {
+        LogSum sum;
+        for (const bool upward : {true, false}) {
+            int quiet = 0;
+            for (std::size_t place = 0; quiet < quiet_terms; ++place) {
+                const auto [weight, e_to_u] = node(upward, place);
+                quiet = sum.add(weight + range.log_upper(q * e_to_u)) ? 0 : quiet + 1;
+            }
+        }
+        return std::min<Real>(0, scale + std::log(h) + sum.log());
+    }
+
+    double k, nu = 0;
+    RangePieces range;
+    Real h = 0, scale = 0;
+    std::vector<Node> up, down; ///< u = 0, h, 2h, ... and -h, -2h, ...
+};
+
+StudentizedRanges::StudentizedRanges(double k) : shared_(std::make_unique<Shared>(k)) {
+    EXPECTS(k >= 2 && std::isfinite(k));
+}
+
+StudentizedRanges::~StudentizedRanges() = default;
+
+Tail StudentizedRanges::upper_tail(double q, double df) {
+    EXPECTS(df > 0);
+    if (const auto plain = plain_tail(Side::Upper, q))
+        return *plain;
+    if (std::isinf(df))
+        return tail_of_log(std::min<Real>(0, shared_->range.log_upper(q)));
+    if (shared_->nu != df)
+        shared_->lay_nodes(df);
+    return tail_of_log(shared_->log_upper(q));
 }
 
 // The tail falls along almost a straight line in (ln q, ln p), so a secant needs five to eight

@@ -5,6 +5,8 @@
 
 #include "analysis/numerics/distributions.h"
 
+#include <memory>
+
 namespace analysis::numerics {
 
 /// P(Q >= q) for the range of `k` >= 2 standard normals over a standard deviation with `df` > 0
@@ -16,6 +18,24 @@ Tail studentized_range_upper_tail(double q, double k, double df, double step_sca
 
 /// P(Q <= q), with its own digits where it is small.
 Tail studentized_range_lower_tail(double q, double k, double df, double step_scale = 1.0);
+
+/// Upper tails for many q and df of one k: as many digits as `studentized_range_upper_tail`, at a
+/// hundredth of the time once some dozens were asked for.
+class StudentizedRanges {
+  public:
+    /// Errors: EXPECTS k >= 2.
+    explicit StudentizedRanges(double k);
+    ~StudentizedRanges();
+    StudentizedRanges(const StudentizedRanges&) = delete;
+    StudentizedRanges& operator=(const StudentizedRanges&) = delete;
+
+    /// P(Q >= q).  Runs of the same df are fastest.  Errors: EXPECTS df > 0.
+    Tail upper_tail(double q, double df);
+
+  private:
+    struct Shared;
+    std::unique_ptr<Shared> shared_;
+};
 
 /// q with P(Q >= q) = `upper_p`, 0 < upper_p < 1; infinite when it is beyond a double.
 double studentized_range_quantile(double upper_p, double k, double df);

@@ -21,6 +21,7 @@ namespace analysis::scaling {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double close_enough = 1e-8; // a replicate's last step; what it leaves is of its square
 
 ChoiceFit fit_link(const WinCounts& counts, Link link) {
     return link == Link::Logit ? fit_bradley_terry(counts) : fit_thurstone(counts);
@@ -68,7 +69,7 @@ class Replicator {
         }
         // Wins both ways on every pair of the connected whole: surely a finite maximum.
         if (both_ways || existence({t_, wins_}).scale == Scale::Finite) {
-            const auto maximum = model_.maximise(start_);
+            const auto maximum = model_.maximise(start_, close_enough);
             if (maximum.converged) {
                 std::copy(maximum.parameters.begin(), maximum.parameters.end(), theta.begin());
                 return Refit::Maximum;
@@ -167,24 +168,28 @@ void summarise_moments(Bootstrap& result) {
         result.standard_error.push_back(std::sqrt(result.covariance[i * t + i]));
 }
 
+// Equal votes give equal scores but for rounding; other scores are further apart than this.
+bool alike(double a, double b) {
+    return std::abs(a - b) <= 1e-10 * (1 + std::abs(a));
+}
+
 void summarise_ranks(Bootstrap& result) {
     const std::size_t t = result.fit.conditions();
     const auto kept = static_cast<double>(result.kept());
     result.first.assign(t, 0.0);
     result.above.assign(t * t, 0.0);
-    for (auto row = result.replicates.begin(); row != result.replicates.end();
-         row += static_cast<std::ptrdiff_t>(t)) {
-        const auto end = row + static_cast<std::ptrdiff_t>(t);
-        const double best = *std::max_element(row, end);
-        const auto sharing = static_cast<double>(std::count(row, end, best));
+    for (std::size_t at = 0; at < result.replicates.size(); at += t) {
+        const auto row = std::span(result.replicates).subspan(at, t);
+        const double best = *std::max_element(row.begin(), row.end());
+        const auto sharing = static_cast<double>(std::count_if(
+            row.begin(), row.end(), [&](double score) { return alike(score, best); }));
         for (std::size_t i = 0; i < t; ++i) {
-            const double own = row[static_cast<std::ptrdiff_t>(i)];
-            result.first[i] += own == best ? 1 / (sharing * kept) : 0;
-            for (std::size_t j = 0; j < t; ++j) {
-                const double other = row[static_cast<std::ptrdiff_t>(j)];
+            result.first[i] += alike(row[i], best) ? 1 / (sharing * kept) : 0;
+            for (std::size_t j = 0; j < t; ++j)
                 if (j != i)
-                    result.above[i * t + j] += (own > other ? 1.0 : own == other ? 0.5 : 0) / kept;
-            }
+                    result.above[i * t + j] += alike(row[i], row[j]) ? 0.5 / kept
+                                               : row[i] > row[j]     ? 1 / kept
+                                                                     : 0;
         }
     }
 }

@@ -13,7 +13,6 @@ namespace {
 
 constexpr int most_iterations = 200; // 1e15 : 1 takes 41; Firth's scoring steps converge linearly
 constexpr int most_halvings = 40;
-constexpr double rounding = 1e-15;
 
 double largest_magnitude(std::span<const double> values) {
     double largest = 0;
@@ -180,7 +179,7 @@ void ChoiceModel::newton_step(const ModelPoint& point, std::vector<double>& step
     centre(std::span(step).first(t_));
 }
 
-ChoiceModel::Maximum ChoiceModel::maximise(std::span<const double> start) {
+ChoiceModel::Maximum ChoiceModel::maximise(std::span<const double> start, double close) {
     EXPECTS(start.empty() || start.size() == parameters_);
     Maximum at;
     at.parameters.assign(start.begin(), start.end());
@@ -196,7 +195,7 @@ ChoiceModel::Maximum ChoiceModel::maximise(std::span<const double> start) {
         const double size = largest_magnitude(step);
         const double scale = 1 + largest_magnitude(at.parameters);
         // Rounding keeps a step above its bound where the information is tiny: it stops shrinking.
-        const bool last = size <= rounding * scale ||
+        const bool last = size <= close * scale ||
                           (at.iterations > 1 && size <= 1e-12 * scale && size >= before / 2);
         // Firth's penalty curves the objective more than the information tells, twice as much where
         // votes are few: full steps would swing about the maximum for ever.

@@ -59,9 +59,11 @@ class ChoiceModel {
         bool converged = false;
     };
 
-    /// Newton's steps from `start` (empty: 0) with halving while the objective falls, until they
-    /// are at rounding size.  Whether a finite maximum exists is decided elsewhere, before.
-    Maximum maximise(std::span<const double> start = {});
+    /// Newton's steps from `start` (empty: 0) with halving while the objective falls, until one is
+    /// no larger than `close` relative to the scores: rounding size, or, where a thousand fits are
+    /// wanted, its root, for what is left after such a step is of its square.  Whether a finite
+    /// maximum exists is decided elsewhere, before.
+    Maximum maximise(std::span<const double> start = {}, double close = 1e-15);
 
     /// Inverse of the information at `parameters` on the subspace of centred scores, p x p.
     std::vector<double> covariance(std::span<const double> parameters);

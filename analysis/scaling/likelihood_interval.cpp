@@ -15,6 +15,7 @@ namespace analysis::scaling {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double close_enough = 1e-6; // of the root of the fall: Newton's next step squares it
 
 class Profile {
   public:
@@ -26,34 +27,37 @@ class Profile {
           theta_(fit.theta) {}
 
     // The largest log-likelihood among scores whose contrast is `value`.  Starts from where the
-    // last call ended.
+    // last call ended, along the line on which the profile ran there.
     double at(double value) {
-        move_to(value);
+        if (tangent_.empty()) {
+            model_.evaluate(theta_, here_);
+            solve();
+        }
+        const double off = value - dot(contrast_, theta_);
+        for (std::size_t i = 0; i < theta_.size(); ++i)
+            theta_[i] += off * tangent_[i];
         model_.evaluate(theta_, here_);
-        for (int iteration = 0; iteration < 100; ++iteration) {
-            const double gain = step();
-            if (!(gain > 1e-14 * (1 + std::abs(here_.log_likelihood))))
+        for (int iteration = 0; iteration < 100 && solve(); ++iteration) {
+            const double gain = dot(here_.gradient, free_) / 2;
+            if (!(gain > 1e-15 * (1 + std::abs(here_.log_likelihood))) || !step())
                 break;
         }
         return here_.log_likelihood;
     }
 
+    // By how much it changes with the value, where `at` was last called.
+    double slope() const { return slope_; }
+
   private:
-    double dot(std::span<const double> a, std::span<const double> b) const {
+    static double dot(std::span<const double> a, std::span<const double> b) {
         double sum = 0;
         for (std::size_t i = 0; i < a.size(); ++i)
             sum += a[i] * b[i];
         return sum;
     }
 
-    void move_to(double value) {
-        const double off = (value - dot(contrast_, theta_)) / dot(contrast_, contrast_);
-        for (std::size_t i = 0; i < theta_.size(); ++i)
-            theta_[i] += off * contrast_[i];
-    }
-
-    // One Newton step along the plane, halved while the likelihood falls; what it gained.
-    double step() {
+    // Newton's step in the plane, the profile's direction and its slope; false where there is none.
+    bool solve() {
         const auto t = theta_.size();
         auto matrix = here_.information;
         double trace = 0;
@@ -62,28 +66,39 @@ class Profile {
         const auto size = static_cast<double>(t);
         for (auto& element : matrix) // a common shift changes nothing: fill that direction
             element += trace / (size * size);
-        if (!cholesky_.factor(matrix, t))
-            return 0;
-        std::vector<double> free = here_.gradient, held(contrast_.begin(), contrast_.end());
-        cholesky_.solve(free);
-        cholesky_.solve(held);
-        const double pull = dot(contrast_, free) / dot(contrast_, held);
-        for (std::size_t i = 0; i < t; ++i)
-            free[i] -= pull * held[i];
-        const double before = here_.log_likelihood;
-        std::vector<double> next(t);
+        if (!cholesky_.factor(matrix, t)) {
+            if (tangent_.empty())
+                tangent_.assign(t, nothing);
+            return false;
+        }
+        free_ = here_.gradient;
+        tangent_.assign(contrast_.begin(), contrast_.end());
+        cholesky_.solve(free_);
+        cholesky_.solve(tangent_);
+        const double length = dot(contrast_, tangent_);
+        slope_ = dot(contrast_, free_) / length;
+        for (std::size_t i = 0; i < t; ++i) {
+            free_[i] -= slope_ * tangent_[i];
+            tangent_[i] /= length;
+        }
+        return true;
+    }
+
+    // That step, halved while the likelihood falls; false when nothing is gained.
+    bool step() {
+        std::vector<double> next(theta_.size());
         ModelPoint there;
         for (double fraction = 1; fraction > 1e-10; fraction /= 2) {
-            for (std::size_t i = 0; i < t; ++i)
-                next[i] = theta_[i] + fraction * free[i];
+            for (std::size_t i = 0; i < theta_.size(); ++i)
+                next[i] = theta_[i] + fraction * free_[i];
             model_.evaluate(next, there);
-            if (there.log_likelihood > before) {
+            if (there.log_likelihood > here_.log_likelihood) {
                 theta_ = next;
                 std::swap(here_, there);
-                return here_.log_likelihood - before;
+                return true;
             }
         }
-        return 0;
+        return false;
     }
 
     ChoiceModel model_;
@@ -91,44 +106,33 @@ class Profile {
     std::vector<double> theta_;
     ModelPoint here_;
     Cholesky cholesky_;
+    std::vector<double> free_;    ///< the step that leaves the contrast as it is
+    std::vector<double> tangent_; ///< of the profile, for a change of the contrast by one
+    double slope_ = 0;
 };
 
-// Where the profile has fallen by `drop` on one side of the maximum.  The signed root of the fall
-// is nearly a straight line, so a secant between brackets is quick (Illinois' variant).
+// Where the profile has fallen by `drop` on one side of the maximum, the side of `error`.  The
+// signed root of the fall is nearly a straight line, so Newton's steps are few; a bracket keeps
+// them.
 double crossing(Profile profile, double best, double estimate, double error, double drop) {
     const double aim = std::sqrt(2 * drop);
-    const auto fall = [&](double value) {
-        return std::sqrt(std::max(0.0, 2 * (best - profile.at(value)))) - aim;
-    };
-    double inside = estimate, below = -aim;
-    double outside = estimate + aim * error, above = fall(outside);
-    for (int doubling = 0; above < 0 && doubling < 60; ++doubling) {
-        inside = outside;
-        below = above;
-        outside = estimate + (outside - estimate) * 2;
-        above = fall(outside);
+    double value = estimate + aim * error, inside = estimate, outside = nothing;
+    for (int i = 0; i < 200; ++i) {
+        const double root = std::sqrt(std::max(0.0, 2 * (best - profile.at(value))));
+        const double off = root - aim;
+        if (std::isnan(off) || std::isinf(value))
+            return nothing;
+        (off < 0 ? inside : outside) = value;
+        double next = value + off * root / profile.slope(); // the root's slope is -slope / root
+        if (std::abs(off) <= close_enough)
+            return next;
+        const bool bracketed = !std::isnan(outside);
+        const bool ahead = (next - inside) * error > 0;
+        if (!ahead || (bracketed && (outside - next) * error <= 0))
+            next = bracketed ? (inside + outside) / 2 : estimate + 2 * (value - estimate);
+        value = next;
     }
-    if (!(above >= 0))
-        return nothing;
-    int side = 0;
-    for (int i = 0; i < 100; ++i) {
-        const double middle = inside - below * (outside - inside) / (above - below);
-        const double here = fall(middle);
-        if (std::abs(outside - inside) <= 1e-13 * (1 + std::abs(middle)) || std::abs(here) < 1e-12)
-            return middle;
-        if (here < 0) {
-            inside = middle;
-            below = here;
-            above /= side == -1 ? 2 : 1;
-            side = -1;
-        } else {
-            outside = middle;
-            above = here;
-            below /= side == 1 ? 2 : 1;
-            side = 1;
-        }
-    }
-    return (inside + outside) / 2;
+    return nothing;
 }
 
 } // namespace

@@ -40,7 +40,8 @@ const std::map<std::string, VoteFormat>& formats() {
         {"matrix", VoteFormat::Matrix},
         {"observer-matrices", VoteFormat::ObserverMatrices},
         {"wide", VoteFormat::Wide},
-        {"paired-comparison", VoteFormat::PairedComparison}};
+        {"paired-comparison", VoteFormat::PairedComparison},
+        {"sureal", VoteFormat::Sureal}};
     return names;
 }
 

@@ -1,4 +1,5 @@
 // pairlight export: vote matrices and vote tables, in forms other tools read.
+#include "analysis/formats/vote_writers.h"
 #include "analysis/vote_matrix_csv.h"
 #include "experiment/commands/commands.h"
 #include "experiment/tables.h"
@@ -14,14 +15,26 @@ namespace experiment::commands {
 
 namespace {
 
-enum class Form { Long, Matrices, Scores };
+enum class Form { Long, Matrices, Scores, Pwcmp, Pairs, PairedComparison };
 
 std::string exported(const std::string& study, Form form) {
     if (form == Form::Long)
         return long_csv(value_or_stop(stored_votes(value_or_stop(read_study(study)))));
     const auto votes = value_or_stop(read_votes(study));
-    return form == Form::Matrices ? analysis::vote_matrices_csv(votes.table)
-                                  : analysis::scores_csv(votes.table);
+    switch (form) {
+    case Form::Long: // answered above, from the store's own rows
+    case Form::Matrices:
+        return analysis::vote_matrices_csv(votes.table);
+    case Form::Scores:
+        return analysis::scores_csv(votes.table);
+    case Form::Pwcmp:
+        return analysis::formats::pwcmp_csv(votes.table);
+    case Form::Pairs:
+        return analysis::formats::pair_counts_csv(votes.table);
+    case Form::PairedComparison:
+        return value_or_stop(analysis::formats::paired_comparison_csv(votes.table));
+    }
+    return {};
 }
 
 } // namespace
@@ -40,9 +53,16 @@ void add_export(CLI::App& program) {
     command
         ->add_option(
             "--format", options->form,
-            "long: one row per vote; matrices: votes for winner over loser in every scope; scores")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, Form>{
-            {"long", Form::Long}, {"matrices", Form::Matrices}, {"scores", Form::Scores}}))
+            "long: one row per vote; matrices: votes for winner over loser in every scope; scores; "
+            "and as other programs read votes: pwcmp, pairs (BradleyTerry2), paired-comparison "
+            "(psychotools)")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, Form>{{"long", Form::Long},
+                                        {"matrices", Form::Matrices},
+                                        {"scores", Form::Scores},
+                                        {"pwcmp", Form::Pwcmp},
+                                        {"pairs", Form::Pairs},
+                                        {"paired-comparison", Form::PairedComparison}}))
         ->required();
     command->add_option("--csv", options->csv, "The file to write; without it, standard output");
     add_voice(*command, options->voice);

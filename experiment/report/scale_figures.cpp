@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace experiment::report {
@@ -52,6 +53,29 @@ double standard_deviation(const std::vector<double>& values) {
     for (const double value : values)
         squares += value * value;
     return std::sqrt(squares / static_cast<double>(values.size() - 1));
+}
+
+// The smallest 1, 2 or 5 times a power of ten that gives at most `most` tics over `length`; 1 when
+// there is no length.
+double tic_step(double length, int most) {
+    if (!(length > 0) || !std::isfinite(length))
+        return 1;
+    const double least = length / most;
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double step : {1.0, 2.0, 5.0})
+        if (step * power >= least)
+            return step * power;
+    return 10 * power;
+}
+
+double spread(const std::vector<double>& values) {
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const double value : values)
+        if (!std::isnan(value)) {
+            least = std::min(least, value);
+            most = std::max(most, value);
+        }
+    return most - least;
 }
 
 } // namespace
@@ -145,11 +169,12 @@ std::string residuals_script(const ReportContents& contents, FigureForm form) {
         "set xlabel 'normal quantile'\nset xtics 1\nplot {}*x with lines lc rgb '#6b7178' dt 2, "
         "$quantiles using 1:2 with points pt 7 ps 0.5 lc rgb '{}'\n",
         number_or_nan(standard_deviation(sorted)), ink);
-    script += fmt::format("set xlabel 'fitted votes per round'\nset xtics autofreq\nplot 0 with "
+    // The half page has room for about five numbers: gnuplot's own choice runs them together.
+    script += fmt::format("set xlabel 'fitted votes per round'\nset xtics {}\nplot 0 with "
                           "lines lc rgb '#6b7178' dt "
                           "2, $fitted using 1:2 with points pt 7 ps 0.5 lc rgb '{}'\nunset "
                           "multiplot\n",
-                          ink);
+                          tic_step(spread(residuals.fitted), 5), ink);
     return script;
 }
 

@@ -87,7 +87,9 @@ void studentized_range(std::vector<Row>& rows) {
     const std::string reference = "113-bit quadrature";
     Worst upper("studentized range: upper tail, p > 1e-16", reference),
         far("the same, smaller p (then log10 p)", reference),
+        shared("the same: upper tails of one k that share their work", reference),
         lower("the same: lower tail", reference), quantile("the same: quantiles", reference);
+    std::map<double, numerics::StudentizedRanges> ranges;
     const Table tails("ptukey.csv");
     for (std::size_t i = 0; i < tails.rows(); ++i) {
         const double k = tails.argument(i, "k"), df = tails.argument(i, "df");
@@ -95,6 +97,7 @@ void studentized_range(std::vector<Row>& rows) {
         const auto p = tails.number(i, "upper"), below = tails.number(i, "lower");
         (p > 1e-16L ? upper : far)
             .see_tail(numerics::studentized_range_upper_tail(q, k, df), p, std::log10(p));
+        shared.see_tail(ranges.try_emplace(k, k).first->second.upper_tail(q, df), p, std::log10(p));
         lower.see_tail(numerics::studentized_range_lower_tail(q, k, df), below, std::log10(below));
     }
     const Table quantiles("qtukey.csv");
@@ -103,7 +106,7 @@ void studentized_range(std::vector<Row>& rows) {
                                                           quantiles.argument(i, "k"),
                                                           quantiles.argument(i, "df")),
                      quantiles.number(i, "q"));
-    for (const auto* worst : {&upper, &far, &lower, &quantile})
+    for (const auto* worst : {&upper, &far, &shared, &lower, &quantile})
         rows.push_back(worst->row());
 }
 

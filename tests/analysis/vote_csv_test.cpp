@@ -39,6 +39,21 @@ TEST(VoteCsv, RightMeansTheConditionShownRightWon) {
     EXPECT_EQ(matrix.right_chosen(0, 1), 1);
 }
 
+// The program's own export of a study without variants has that column, and nothing in it.
+TEST(VoteCsv, AnEmptyColumnIsNoSceneFactor) {
+    const auto table = analysis::read_votes_csv("observer,scene,variant,left,right,chosen\n"
+                                                "O1,s,,A,B,left\nO2,t,,A,B,left\n",
+                                                "v.csv")
+                           .value();
+    EXPECT_EQ(table.factor_names, std::vector<std::string>{"scene"});
+    EXPECT_EQ(table.factor.size(), 1u);
+    const auto some = analysis::read_votes_csv("observer,scene,variant,left,right,chosen\n"
+                                               "O1,s,,A,B,left\nO2,t,back,A,B,left\n",
+                                               "v.csv")
+                          .value();
+    EXPECT_EQ(some.factors.at(1).names(), (std::vector<std::string>{"", "back"}));
+}
+
 TEST(VoteCsv, PassesOverWarmUpsAndSaysHowMany) {
     const auto table =
         read_votes_csv(

@@ -94,14 +94,16 @@ TEST(Layering, EachOutsideLibraryHasOneDoor) {
                     << door;
 }
 
-// Headers stay light: what is slow to compile is included by .cpp files only.
+// Headers stay light: what is slow to compile is included by .cpp files only.  A library's names
+// without its bodies are light.
 TEST(Layering, HeadersAreLight) {
     const std::vector<std::string> heavy{"OpenImageIO/", "Eigen/", "boost/", "nlohmann/",
                                          "toml++/",      "CLI/",   "tbb/",   "sqlite3.h"};
     for (const auto& module : modules)
         for (const auto& include : includes_below(module))
             for (const auto& library : heavy)
-                EXPECT_FALSE(include.file.ends_with(".h") && include.target.starts_with(library))
+                EXPECT_FALSE(include.file.ends_with(".h") && include.target.starts_with(library) &&
+                             include.target != "nlohmann/json_fwd.hpp")
                     << include.file << ':' << include.line << " includes " << include.target;
 }
 

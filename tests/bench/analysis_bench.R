@@ -85,6 +85,8 @@ q <- c(9.7601646, 16.6964166, 1.7636373, 6.9362520, 7.9965273, 14.9327793)
 row("tukey_of_four", milliseconds(function() ptukey(q, 4, 27, lower.tail = FALSE)))
 row("tukey_of_thirty",
     milliseconds(function() ptukey(0.5 + 0.02 * (0:434), 30, 120, lower.tail = FALSE)))
+row("tukey_of_hundred",
+    milliseconds(function() ptukey(0.5 + 8.7 / 4950 * (0:4949), 100, 891, lower.tail = FALSE)))
 
 wins <- with(votes, table(factor(winner, c("SHSS", "Patro", "Green", "PRT")),
                           factor(loser, c("SHSS", "Patro", "Green", "PRT"))))
@@ -124,6 +126,7 @@ panel <- function(t, observers) {
 twenty <- panel(20, 100)
 pooled <- Reduce(`+`, twenty)
 row("bradley_terry_of_twenty", milliseconds(function() fit_choices(pooled, "logit")))
+row("thurstone_of_twenty", milliseconds(function() fit_choices(pooled, "probit")))
 
 resample <- function(panel) for (replicate in seq_len(1000)) {
   weight <- tabulate(sample.int(length(panel), replace = TRUE), length(panel))

@@ -23,6 +23,7 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace {
 
@@ -171,17 +172,29 @@ void tukey_of_four(benchmark::State& state) {
 }
 
 // Checked by halving the steps: the quadrature's own estimate of its error.
-void tukey_of_thirty(benchmark::State& state) {
-    std::vector<double> p(435);
-    const auto q = [](std::size_t i) { return 0.5 + 0.02 * static_cast<double>(i); };
-    for (auto _ : state)
+void tukey_of(benchmark::State& state, std::size_t groups, double df) {
+    std::vector<double> p(groups * (groups - 1) / 2);
+    const double step = 8.7 / static_cast<double>(p.size());
+    const auto q = [&](std::size_t i) { return 0.5 + step * static_cast<double>(i); };
+    const auto k = static_cast<double>(groups);
+    for (auto _ : state) {
+        numerics::StudentizedRanges ranges(k);
         for (std::size_t i = 0; i < p.size(); ++i)
-            p[i] = numerics::studentized_range_upper_tail(q(i), 30, 120).p;
+            p[i] = ranges.upper_tail(q(i), df).p;
+    }
     double worst = 15.9;
-    for (std::size_t i = 0; i < p.size(); i += 29)
-        worst = std::min(
-            worst, digits(p[i], numerics::studentized_range_upper_tail(q(i), 30, 120, 0.5).p));
+    for (std::size_t i = 0; i < p.size(); i += p.size() / 15)
+        worst = std::min(worst,
+                         digits(p[i], numerics::studentized_range_upper_tail(q(i), k, df, 0.5).p));
     put(state, worst);
+}
+
+void tukey_of_thirty(benchmark::State& state) {
+    tukey_of(state, 30, 120);
+}
+
+void tukey_of_hundred(benchmark::State& state) {
+    tukey_of(state, 100, 891);
 }
 
 std::vector<std::int64_t> golden_wins() {
@@ -216,12 +229,14 @@ void thurstone_of_four(benchmark::State& state) {
     fit_of_four(state, scaling::fit_thurstone, "thurstone_V_unit_sigma_difference");
 }
 
-// The residual of the likelihood equations over the votes, for want of a golden fit.
-void bradley_terry_of_twenty(benchmark::State& state) {
+// The residual of the likelihood equations over the votes, for want of a golden fit.  `slope` is
+// the derivative of a vote's log-likelihood by the difference it is for.
+template <class Fit, class Slope>
+void fit_of_twenty(benchmark::State& state, Fit fit, Slope slope) {
     const auto wins = sum_of(win_matrices(20, 100));
-    scaling::ChoiceFit fit;
+    std::vector<double> theta;
     for (auto _ : state)
-        fit = scaling::fit_bradley_terry({20, wins});
+        theta = fit(scaling::WinCounts{20, wins}).theta;
     double worst = 0;
     for (std::size_t i = 0; i < 20; ++i) {
         double residual = 0, votes = 0;
@@ -229,13 +244,25 @@ void bradley_terry_of_twenty(benchmark::State& state) {
             if (i != j) {
                 const auto a = static_cast<double>(wins[i * 20 + j]);
                 const auto b = static_cast<double>(wins[j * 20 + i]);
-                const double d = fit.theta[i] - fit.theta[j];
-                residual += a / (1 + std::exp(d)) - b / (1 + std::exp(-d));
+                const double d = theta[i] - theta[j];
+                residual += a * slope(d) - b * slope(-d);
                 votes += a + b;
             }
         worst = std::max(worst, std::abs(residual) / votes);
     }
     put(state, std::min(15.9, -std::log10(worst)));
+}
+
+void bradley_terry_of_twenty(benchmark::State& state) {
+    fit_of_twenty(state, scaling::fit_bradley_terry,
+                  [](double d) { return 1 / (1 + std::exp(d)); });
+}
+
+void thurstone_of_twenty(benchmark::State& state) {
+    fit_of_twenty(state, scaling::fit_thurstone, [](double d) { // phi over Phi
+        return std::sqrt(2 / std::numbers::pi) * std::exp(-d * d / 2) /
+               std::erfc(-d / std::numbers::sqrt2);
+    });
 }
 
 void bootstrap_of(benchmark::State& state,
@@ -291,9 +318,11 @@ BENCHMARK(million_votes)->Unit(benchmark::kMillisecond);
 BENCHMARK(seed_study_anova)->Unit(benchmark::kMillisecond);
 BENCHMARK(tukey_of_four)->Unit(benchmark::kMillisecond);
 BENCHMARK(tukey_of_thirty)->Unit(benchmark::kMillisecond);
+BENCHMARK(tukey_of_hundred)->Unit(benchmark::kMillisecond);
 BENCHMARK(bradley_terry_of_four)->Unit(benchmark::kMillisecond);
 BENCHMARK(thurstone_of_four)->Unit(benchmark::kMillisecond);
 BENCHMARK(bradley_terry_of_twenty)->Unit(benchmark::kMillisecond);
+BENCHMARK(thurstone_of_twenty)->Unit(benchmark::kMillisecond);
 BENCHMARK(bootstrap_of_four)->Unit(benchmark::kMillisecond);
 BENCHMARK(bootstrap_of_twenty)->Unit(benchmark::kMillisecond);
 BENCHMARK(nist_smls09)->Unit(benchmark::kMillisecond);

@@ -187,6 +187,26 @@ TEST(VoteFiles, EveryFormOfTheSameVotesGivesTheSameMatrix) {
     }
 }
 
+TEST(VoteFiles, OneConditionOrNoVoteIsRefused) {
+    EXPECT_THAT(error_of("over,A\nA,0\n", VoteFormat::Matrix), HasSubstr("v.csv:1: no votes"));
+    EXPECT_THAT(error_of("observer,left,right,chosen\nO,A,A,left\n"),
+                HasSubstr("v.csv:2: left and right are both 'A'"));
+    EXPECT_THAT(error_of(""), HasSubstr("v.csv:1:"));
+    EXPECT_THAT(error_of("winner,loser\n"), HasSubstr("v.csv:1: no votes"));
+}
+
+TEST(VoteFiles, NamesThatDifferOnlyInBlanksAreRefused) {
+    const std::string header = "observer,session,left,right,chosen\n";
+    EXPECT_EQ(error_of(header + "O,1,a,b,left\nP,1, b,a,left\n"),
+              "v.csv: conditions 'b' and ' b' differ only in blanks around them, expected one "
+              "spelling");
+    EXPECT_EQ(error_of(header + "O,1,a,b,left\nO ,1,b,a,left\n"),
+              "v.csv: observers 'O' and 'O ' differ only in blanks around them, expected one "
+              "spelling");
+    EXPECT_EQ(error_of(header + std::string("O,1,a\0,b,left\n", 14)),
+              "v.csv:2: a zero byte; save the table as text");
+}
+
 TEST(VoteFiles, TextThatIsNoUtf8IsNamedByItsLine) {
     EXPECT_EQ(error_of("observer,left,right,chosen\nO,caf\xE9,y,left\n"),
               "v.csv:2: a byte that is no UTF-8; save the table as UTF-8");

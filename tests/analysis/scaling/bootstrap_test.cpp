@@ -111,6 +111,43 @@ TEST(Bootstrap, OfIdenticalObserversIsAPoint) {
     EXPECT_NEAR(drawn.standard_error[0], 0, 1e-14);
 }
 
+// Every observer gives the first two as many votes in as many comparisons, and five conditions
+// opponents of every strength: in whatever order the sums are rounded, the two are equal.
+TEST(Bootstrap, EqualVotesShareTheRankWhateverTheRounding) {
+    std::vector<std::vector<std::int64_t>> wins;
+    for (std::int64_t o = 0; o < 9; ++o) {
+        auto& own = wins.emplace_back(25, 0);
+        for (std::size_t a = 0; a < 5; ++a)
+            for (std::size_t b = a + 1; b < 5; ++b) {
+                const std::int64_t votes =
+                    a == 0 && b == 1 ? 5 : 1 + (o + 3 * static_cast<int>(a + b)) % 9;
+                own[a * 5 + b] = votes;
+                own[b * 5 + a] = 10 - votes;
+            }
+        // The same total for the second as for the first, taken from other opponents.
+        std::int64_t first = 0, second = 0;
+        for (std::size_t b = 2; b < 5; ++b) {
+            first += own[b];
+            second += own[5 + b];
+        }
+        for (std::size_t b = 2; b < 5; ++b)
+            while (second != first && own[5 + b] > 0 && own[5 + b] < 10) {
+                const int change = second < first ? 1 : -1;
+                own[5 + b] += change;
+                own[b * 5 + 1] -= change;
+                second += change;
+            }
+        ASSERT_EQ(first, second);
+    }
+    std::vector<WinCounts> observers;
+    for (const auto& own : wins)
+        observers.push_back({5, own});
+    const auto drawn = bootstrap(observers, {.replicates = 400});
+    EXPECT_NEAR(drawn.above[0 * 5 + 1], 0.5, 1e-12); // a sum of 400 terms
+    EXPECT_NEAR(drawn.above[1 * 5 + 0], 0.5, 1e-12);
+    EXPECT_NEAR(drawn.first[0], drawn.first[1], 1e-12);
+}
+
 // 300 simulated experiments of three conditions, 40 observers, 3 votes a pair.  Coverage is
 // binomial with deviation 0.013 about a value a little below 0.95 (percentile intervals of 40 are 1
 // % short).
