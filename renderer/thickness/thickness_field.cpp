@@ -293,21 +293,32 @@ reconstruct(const ThicknessField& field, std::size_t v, std::span<const double> 
 
 Expected<std::vector<double>>
 trace_thickness(const geometry::Mesh& mesh, Kind kind, std::span<const glm::dvec3> directions) {
+    return ThicknessTracer::prepare(mesh).and_then(
+        [&](const ThicknessTracer& tracer) { return tracer.trace(kind, directions); });
+}
+
+ThicknessTracer::ThicknessTracer(RayScene scene)
+    : scene_(std::move(scene)), order_(geometry::morton_order(scene_.positions())) {}
+
+Expected<ThicknessTracer> ThicknessTracer::prepare(const geometry::Mesh& mesh) {
     if (auto closed = check_closed(mesh); !closed)
         return tl::unexpected(closed.error());
-    const RayScene scene(mesh);
+    RayScene scene(mesh);
     if (auto outward = check_components_face_outward(scene); !outward)
         return tl::unexpected(outward.error());
-    std::vector<double> result(mesh.positions.size() * directions.size());
+    return ThicknessTracer(std::move(scene));
+}
+
+Expected<std::vector<double>> ThicknessTracer::trace(Kind kind,
+                                                     std::span<const glm::dvec3> directions) const {
+    std::vector<double> result(order_.size() * directions.size());
     Proceedings proceedings(static_cast<double>(result.size()), {});
-    for_each_block(
-        geometry::morton_order(scene.positions()), [&](std::span<const std::uint32_t> block) {
-            InteriorTracer tracer(scene);
-            for (std::size_t k = 0; k < directions.size() && proceedings.go_on(); ++k)
-                trace_block(tracer, kind, block, directions[k], proceedings, [&](auto i, double d) {
-                    result[block[i] * directions.size() + k] = d;
-                });
-        });
+    for_each_block(order_, [&](std::span<const std::uint32_t> block) {
+        InteriorTracer tracer(scene_);
+        for (std::size_t k = 0; k < directions.size() && proceedings.go_on(); ++k)
+            trace_block(tracer, kind, block, directions[k], proceedings,
+                        [&](auto i, double d) { result[block[i] * directions.size() + k] = d; });
+    });
     if (auto outcome = proceedings.outcome(); !outcome)
         return tl::unexpected(outcome.error());
     return result;

@@ -5,6 +5,7 @@
 #include "renderer/expected.h"
 #include "renderer/geometry/crossings.h"
 #include "renderer/geometry/mesh.h"
+#include "renderer/geometry/ray_scene.h"
 #include "renderer/thickness/normal_bins.h"
 
 #include <cstddef>
@@ -32,8 +33,8 @@ struct FieldOptions {
     bool operator==(const FieldOptions&) const = default;
 };
 
-/// Whether a field of the options `there` has all that `wanted` asks for: the same in everything but
-/// the bands, of which it may have more.
+/// Whether a field of the options `there` has all that `wanted` asks for: the same in everything
+/// but the bands, of which it may have more.
 constexpr bool serves(const FieldOptions& there, const FieldOptions& wanted) {
     return there.kind == wanted.kind && there.directions == wanted.directions &&
            there.rotation_seed == wanted.rotation_seed && there.bands >= wanted.bands;
@@ -84,5 +85,22 @@ reconstruct(const ThicknessField& field, std::size_t v, std::span<const double> 
 /// Shape: result[v * directions.size() + k].
 Expected<std::vector<double>>
 trace_thickness(const geometry::Mesh& mesh, Kind kind, std::span<const glm::dvec3> directions);
+
+/// `trace_thickness` for directions that come one after the other: the mesh is made ready for rays
+/// once.
+class ThicknessTracer {
+  public:
+    /// Copies what it needs.  Errors: a mesh that is not closed and consistently oriented.
+    static Expected<ThicknessTracer> prepare(const geometry::Mesh& mesh);
+
+    /// Errors: more than 1e-4 of the rays unresolved.
+    Expected<std::vector<double>> trace(Kind kind, std::span<const glm::dvec3> directions) const;
+
+  private:
+    explicit ThicknessTracer(geometry::RayScene scene);
+
+    geometry::RayScene scene_;
+    std::vector<std::uint32_t> order_; ///< of the vertices, neighbours together
+};
 
 } // namespace renderer::thickness
