@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
              commands::add_reference,
              commands::add_compare,
              commands::add_fit,
+             commands::add_cost,
              commands::add_verify,
              commands::add_withdraw,
          })

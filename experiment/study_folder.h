@@ -18,6 +18,8 @@ struct StudyFolder {
     std::filesystem::path votes() const { return root / "votes.sqlite"; }
 
     std::filesystem::path report() const { return root / "report"; }
+
+    std::filesystem::path cost() const { return root / "cost"; }
 };
 
 /// The study folder a person means by `path`: the folder itself, or the study.toml in it.

@@ -23,15 +23,17 @@ std::shared_ptr<const renderer::geometry::Mesh> borrowed(const LoadedModel& mode
 }
 
 /// Bodies have no file and are quickly traced again.
-std::filesystem::path cache_folder(const LoadedModel& model) {
-    return model.file.empty() ? std::filesystem::path() : model.file.parent_path() / "thickness";
+std::filesystem::path cache_folder(const LoadedModel& model, FieldsKept kept) {
+    return model.file.empty() || kept == FieldsKept::Nowhere
+               ? std::filesystem::path()
+               : model.file.parent_path() / "thickness";
 }
 
 } // namespace
 
-TracedFields::TracedFields(LoadedModel& model, thickness::Progress progress)
-    : model_(model), progress_(std::move(progress)), source_(borrowed(model), cache_folder(model)) {
-}
+TracedFields::TracedFields(LoadedModel& model, thickness::Progress progress, FieldsKept kept)
+    : model_(model), progress_(std::move(progress)),
+      source_(borrowed(model), cache_folder(model, kept)) {}
 
 tl::expected<TracedFields::Field, std::string>
 TracedFields::field(const thickness::FieldOptions& asked) {

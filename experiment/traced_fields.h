@@ -15,14 +15,19 @@
 
 namespace experiment {
 
-/// Traces once for every kind and number of directions, and keeps what was traced in
-/// <model's folder>/thickness, so that the next program finds it.  The model outlives it and gets
-/// its remarks.
+/// Where traced fields are kept for the next program: in <model's folder>/thickness, or nowhere, so
+/// that what tracing takes is always measured.
+enum class FieldsKept { BesideTheModel, Nowhere };
+
+/// Traces once for every kind and number of directions, and keeps what was traced.  The model
+/// outlives it and gets its remarks.
 class TracedFields {
   public:
     using Field = std::shared_ptr<const renderer::thickness::ThicknessField>;
 
-    TracedFields(LoadedModel& model, renderer::thickness::Progress progress);
+    TracedFields(LoadedModel& model,
+                 renderer::thickness::Progress progress,
+                 FieldsKept kept = FieldsKept::BesideTheModel);
 
     /// Errors: what the tracing refuses.
     tl::expected<Field, std::string> field(const renderer::thickness::FieldOptions& asked);

@@ -25,6 +25,7 @@ void add_reference(CLI::App& program);
 void add_compare(CLI::App& program);
 void add_methods(CLI::App& program);
 void add_fit(CLI::App& program);
+void add_cost(CLI::App& program);
 void add_demo(CLI::App& program);
 void add_register(CLI::App& program);
 void add_observers(CLI::App& program);

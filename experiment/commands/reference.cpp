@@ -7,6 +7,7 @@
 #include "experiment/read_study.h"
 #include "experiment/stimuli/lit_scene.h"
 #include "experiment/stimuli/reference_file.h"
+#include "experiment/stimuli/reference_recipe.h"
 #include "renderer/materials.h"
 #include "renderer/reference/convergence.h"
 #include "renderer/reference/energy.h"
@@ -99,41 +100,6 @@ Subject model_subject(const Options& options) {
     return subject;
 }
 
-std::string words_of(const protocols::Light& light) {
-    const bool is_far = light.kind == protocols::Light::Kind::Far;
-    const auto& [x, y, z] = is_far ? light.to_light : light.position_mm;
-    const auto& [r, g, b] = light.intensity;
-    return fmt::format("{} {} {} {} reference_mm {} intensity {} {} {}", is_far ? "far" : "near", x,
-                       y, z, light.reference_mm, r, g, b);
-}
-
-/// Equal for equal pictures, so that a file is only gone on with when it is of the same one.
-std::string recipe_of(const Options& options, const Subject& subject, const LoadedModel& model) {
-    const auto& s = subject.scene;
-    auto recipe = fmt::format(
-        "model {} {} up {} {} {} turn {} elevation {} diameter_mm {} material {} pixels {} x {} "
-        "boundary {} roughness {} anisotropy {} sun_degrees {}",
-        model.record.file, model.record.sha256, s.up[0], s.up[1], s.up[2], s.turn_degrees,
-        s.elevation_degrees, s.diameter_mm, s.material, subject.study.width, subject.study.height,
-        options.boundary, options.roughness, options.anisotropy, options.sun_degrees);
-    for (const auto& light : subject.variant.lights)
-        recipe += " light " + words_of(light);
-    return recipe;
-}
-
-reference::Film
-film_to_go_on_with(const Options& options, const Subject& subject, const std::string& recipe) {
-    std::error_code ignored;
-    if (!fs::exists(options.out, ignored))
-        return reference::blank_film(subject.study.width, subject.study.height, options.seed);
-    auto stored = value_or_stop(stimuli::read_reference(options.out));
-    if (stored.recipe != recipe || stored.film.seed != options.seed)
-        throw CommandError(fmt::format("{}: is a reference of something else; name another file, "
-                                       "or take it away",
-                                       options.out));
-    return std::move(stored.film);
-}
-
 void report(const Options& options,
             const reference::Film& film,
             const reference::Outcome& outcome) {
@@ -171,8 +137,10 @@ void run(Options& options) {
     options.voice.remark(fmt::format(
         "a path would have {:.3g} collisions on average, did nothing absorb",
         mm * reference::expected_collisions(model.mesh, picture.medium, picture.boundary)));
-    const auto recipe = recipe_of(options, subject, model);
-    auto film = film_to_go_on_with(options, subject, recipe);
+    const auto recipe = stimuli::reference_recipe(subject.study, subject.scene, subject.variant,
+                                                  model.record, settings);
+    auto film = value_or_stop(
+        stimuli::film_to_go_on_with(options.out, recipe, subject.study, options.seed));
     reference::Outcome outcome;
     {
         ProgressBar bar("following light", !options.voice.quiet);

@@ -2,6 +2,7 @@
 #include "experiment/commands/steps.h"
 
 #include "analysis/findings_json.h"
+#include "experiment/cost/cost_files.h"
 #include "experiment/progress.h"
 #include "experiment/report/facts.h"
 #include "experiment/report/page.h"
@@ -55,6 +56,9 @@ std::filesystem::path write_study_report(const LoadedStudy& loaded, const Voice&
                             .sittings = all_sittings(loaded)};
     auto contents = report::report_contents(records, std::move(findings),
                                             session::local_date(session::SystemClock().wall()));
+    if (const auto file = loaded.folder.cost() / "cost.json"; std::filesystem::exists(file))
+        contents.cost = value_or_stop(read_text_file(file).and_then(
+            [&](const auto& text) { return cost::parse_cost(text, file.string()); }));
     ProgressBar bar("report", !voice.quiet);
     contents.thumbnails =
         value_or_stop(stimuli::thumbnails(loaded, [&](double fraction) { bar.update(fraction); }));

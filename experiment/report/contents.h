@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/findings.h"
+#include "experiment/cost/cost_report.h"
 #include "protocols/vocabulary.h"
 
 #include <map>
@@ -69,6 +70,7 @@ struct ReportContents {
     std::vector<SittingRow> sittings;
     std::vector<Thumbnail> thumbnails; ///< in the order of scenes and variants
     std::vector<BrightnessRow> brightness;
+    std::optional<cost::CostReport> cost; ///< of `pairlight cost`, if it was run
 };
 
 /// Recommendation ITU-R BT.500: with fewer observers a study is to be called informal.

@@ -2,6 +2,8 @@
 // was shown, under which circumstances.
 #include "experiment/report/page.h"
 
+#include "experiment/cost/cost_figures.h"
+#include "experiment/cost/cost_page.h"
 #include "experiment/report/body.h"
 #include "experiment/report/html.h"
 #include "experiment/report/numbers.h"
@@ -212,6 +214,8 @@ std::string report_page(const ReportContents& contents, const std::vector<Figure
     add_observers(body, contents, figures);
     add_paper_tests(body, contents);
     add_stimuli(body, contents);
+    if (contents.cost)
+        cost::add_cost(body, *contents.cost, figures);
     add_circumstances(body, contents);
     add_methods(body, contents);
     return filled(page_html,
@@ -223,9 +227,15 @@ std::string report_page(const ReportContents& contents, const std::vector<Figure
 
 tl::expected<std::filesystem::path, std::string> write_report(const std::filesystem::path& folder,
                                                               const ReportContents& contents) {
-    const auto figures = draw_figures(contents);
+    auto figures = draw_figures(contents);
     if (!figures)
         return tl::unexpected(figures.error());
+    if (contents.cost) {
+        const auto more = cost::draw_cost_figures(*contents.cost);
+        if (!more)
+            return tl::unexpected(more.error());
+        figures->insert(figures->end(), more->begin(), more->end());
+    }
     for (const auto& figure : *figures)
         for (const auto& [ending, bytes] :
              {std::pair{".svg", &figure.svg}, std::pair{".pdf", &figure.pdf}})

@@ -52,6 +52,8 @@ Json to_json(const protocols::Picture& picture, const PictureRecord& record) {
     add(json, "frame_milliseconds", record.frame_milliseconds);
     add(json, "bytes_per_vertex", record.bytes_per_vertex);
     add(json, "decision", record.decision);
+    add(json, "predicted_change", record.predicted_change);
+    add(json, "measured_change", record.measured_change);
     add(json, "remark", record.remark);
     return json;
 }
@@ -85,6 +87,8 @@ PictureRecord picture_record(const Json& json) {
     record.frame_milliseconds = optional_value<double>(json, "frame_milliseconds");
     record.bytes_per_vertex = optional_value<std::size_t>(json, "bytes_per_vertex");
     record.decision = optional_value<std::string>(json, "decision");
+    record.predicted_change = optional_value<double>(json, "predicted_change");
+    record.measured_change = optional_value<double>(json, "measured_change");
     record.remark = optional_value<std::string>(json, "remark");
     return record;
 }

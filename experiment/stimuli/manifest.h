@@ -45,7 +45,10 @@ struct PictureRecord {
     std::optional<double> frame_milliseconds; ///< median of the draws of this picture
     std::optional<std::size_t> bytes_per_vertex;
     std::optional<std::string> decision; ///< what the method chose by itself, and why
-    std::optional<std::string> remark;   ///< what was repaired or retried on the way
+    /// What that changes in the picture: root mean square of brightness, 1 = white, as the method
+    /// reckoned beforehand, and as the picture without the choice says.
+    std::optional<double> predicted_change, measured_change;
+    std::optional<std::string> remark; ///< what was repaired or retried on the way
     bool operator==(const PictureRecord&) const = default;
 };
 

@@ -11,6 +11,7 @@
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/image_files.h"
 #include "renderer/methods/catalogue.h"
+#include "renderer/methods/choice_change.h"
 #include "renderer/methods/picture.h"
 
 #include <fmt/core.h>
@@ -146,11 +147,11 @@ SceneRenderer::draw_all(const protocols::Variant& variant) {
 
 Expected<SceneRenderer::Drawn> SceneRenderer::draw(Contender& contender,
                                                    const renderer::Scene& scene) const {
+    const auto shaded =
+        as_shaded(scene, std::get<Rendering>(contender.condition->source), scene_->id);
     const auto start = Clock::now();
-    auto image = methods::render_picture(
-        *contender.method,
-        as_shaded(scene, std::get<Rendering>(contender.condition->source), scene_->id),
-        study_->width, study_->height, samples_);
+    auto image =
+        methods::render_picture(*contender.method, shaded, study_->width, study_->height, samples_);
     if (!image)
         return tl::unexpected(image.error());
     PictureRecord record;
@@ -159,6 +160,11 @@ Expected<SceneRenderer::Drawn> SceneRenderer::draw(Contender& contender,
     record.bytes_per_vertex = contender.method->cost().bytes_per_vertex;
     if (const auto decision = contender.method->decision(); !decision.empty())
         record.decision = decision;
+    record.predicted_change = contender.method->predicted_change();
+    const auto changed = methods::measured_change(*contender.method, shaded, *image, samples_);
+    if (!changed)
+        return tl::unexpected(changed.error());
+    record.measured_change = *changed;
     return Drawn{{}, std::move(*image), std::move(record)};
 }
 

@@ -106,6 +106,11 @@ std::string description() {
     return text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
 }
 
+bool draws_on_the_processor() {
+    const auto driver = description();
+    return driver.find("llvmpipe") != driver.npos || driver.find("softpipe") != driver.npos;
+}
+
 void finish() {
     glFinish();
 }

@@ -34,6 +34,9 @@ class Context {
 /// The current context's renderer and version as the driver words them, for the manifest.
 std::string description();
 
+/// Whether that is one of Mesa's rasterisers in software: then the processor's time is the frame's.
+bool draws_on_the_processor();
+
 /// Waits until everything that was asked for is drawn.
 void finish();
 

@@ -2,6 +2,7 @@
 #include "renderer/methods/band_plan.h"
 
 #include "renderer/contract.h"
+#include "renderer/harmonics/basis.h"
 #include "renderer/methods/lighting.h"
 
 #include <glm/geometric.hpp>
@@ -9,11 +10,14 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace renderer::methods {
 
 namespace {
+
+using Channels = std::array<double, 3>;
 
 double brightest(const LinearRgb& colour) {
     return static_cast<double>(std::max({colour.r, colour.g, colour.b}));
@@ -36,25 +40,30 @@ double change_per_mm(const Scene& scene, const Attenuation& attenuation) {
                      static_cast<double>(k.b) * sigma.b});
 }
 
-/// A near light acts from where the centre sees it, with the intensity it has there.
+/// A light as the body's centre sees it: far away, its intensity times `scale`.
+struct FarLight {
+    DirectionalLight place;
+    double scale = 1;
+};
+
+FarLight as_far(const Light& light, const Scene& scene, const geometry::BoundingSphere& bounds) {
+    const auto* near = std::get_if<PointLight>(&light.place);
+    if (near == nullptr)
+        return {std::get<DirectionalLight>(light.place), 1};
+    const auto way = near->position - centre_in_world(scene, bounds);
+    if (!(glm::length(way) > 0))
+        return {{{0, 0, 1}}, 1}; // at the centre itself every direction is as good
+    const double ratio = near->reference.value / glm::length(way);
+    return {{way}, ratio * ratio};
+}
+
 thickness::SeenLight seen_light(const Light& light,
                                 const Scene& scene,
                                 const geometry::BoundingSphere& bounds,
                                 double per_mm) {
-    double intensity = brightest(light.intensity);
-    DirectionalLight far;
-    if (const auto* near = std::get_if<PointLight>(&light.place)) {
-        far.to_light = near->position - centre_in_world(scene, bounds);
-        const double ratio = near->reference.value / glm::length(far.to_light);
-        if (!(glm::length(far.to_light) > 0))
-            far.to_light = {0, 0, 1}; // at the centre itself every direction is as good
-        else
-            intensity *= ratio * ratio;
-    } else {
-        far = std::get<DirectionalLight>(light.place);
-    }
-    const auto seen = model_light(far, scene.placement);
-    return {seen.to_light, intensity * per_mm / seen.stretch};
+    const auto far = as_far(light, scene, bounds);
+    const auto seen = model_light(far.place, scene.placement);
+    return {seen.to_light, brightest(light.intensity) * far.scale * per_mm / seen.stretch};
 }
 
 glm::dvec3 to_eye(const Scene& scene, const geometry::BoundingSphere& bounds) {
@@ -64,35 +73,132 @@ glm::dvec3 to_eye(const Scene& scene, const geometry::BoundingSphere& bounds) {
     return glm::length(way) > 0 ? glm::normalize(way) : glm::dvec3(0, 0, 1);
 }
 
+/// What a light sends to the vertices of a sample: y(L), mm to a model unit along L, and the light
+/// that is scattered where it has passed nothing.
+struct ReckonedLight {
+    std::vector<double> basis;
+    double mm = 1;
+    Channels scattered{};
+};
+
+ReckonedLight reckoned_light(const Light& light,
+                             const Scene& scene,
+                             const geometry::BoundingSphere& bounds,
+                             int bands) {
+    const auto far = as_far(light, scene, bounds);
+    const auto seen = model_light(far.place, scene.placement);
+    const auto& k = scene.material.reflectance.scatter;
+    ReckonedLight reckoned;
+    reckoned.basis.resize(static_cast<std::size_t>(harmonics::coefficient_count(bands)));
+    harmonics::evaluate(bands, seen.to_light, reckoned.basis);
+    reckoned.mm = 1 / seen.stretch;
+    reckoned.scattered = {far.scale * static_cast<double>(light.intensity.r * k.r),
+                          far.scale * static_cast<double>(light.intensity.g * k.g),
+                          far.scale * static_cast<double>(light.intensity.b * k.b)};
+    return reckoned;
+}
+
+/// The law of shading.glsl, lengths in mm.
+class WorldLaw {
+  public:
+    WorldLaw(const Scene& scene, const Attenuation& attenuation, double radius)
+        : law_(attenuation.law), sigma_(effective_transport(scene.material.medium)) {
+        const glm::dmat3 linear(scene.placement.world_from_model);
+        longest_ = 2 * radius * largest_stretch(linear);
+        d_n_ = attenuation.d_n * mean_stretch(linear);
+    }
+
+    Channels left(double d) const {
+        d = std::clamp(d, 0.0, longest_);
+        if (law_ == Law::Physical)
+            return {std::exp(-sigma_.r * d), std::exp(-sigma_.g * d), std::exp(-sigma_.b * d)};
+        const double left = 1 - std::min(d / d_n_, 1.0);
+        return {left, left, left};
+    }
+
+  private:
+    Law law_;
+    RgbPerMillimetre sigma_;
+    double longest_ = 0, d_n_ = 1;
+};
+
 } // namespace
 
 BandPlan::BandPlan(const BandSettings& settings,
                    const Attenuation& attenuation,
-                   std::shared_ptr<const thickness::ThicknessField> field)
-    : settings_(settings), attenuation_(attenuation), field_(std::move(field)) {
+                   std::shared_ptr<const thickness::ThicknessField> field,
+                   std::optional<thickness::SurfaceSample> sample)
+    : settings_(settings), attenuation_(attenuation), field_(std::move(field)),
+      sample_(std::move(sample)) {
     EXPECTS(settings_.bands >= 1 && settings_.bands <= field_->bands);
 }
 
+/// Root mean square change with 1, 2, ... bands instead of all, in the channel where it is most,
+/// over the vertices that face the eye, as large as they look from there.  What they hide from each
+/// other is not known here.
+std::vector<double> BandPlan::reckoned_changes(const Scene& scene) const {
+    const auto bands = static_cast<std::size_t>(settings_.bands);
+    std::vector<ReckonedLight> lights;
+    for (const auto& light : scene.lights)
+        lights.push_back(reckoned_light(light, scene, field_->bounds, sample_->bands));
+    const auto eye = glm::dvec3(glm::inverse(scene.placement.world_from_model) *
+                                glm::inverse(scene.camera.view_from_world)[3]);
+    const WorldLaw law(scene, attenuation_, field_->bounds.radius);
+    std::vector<Channels> squares(bands), light_with(bands);
+    std::vector<double> d(static_cast<std::size_t>(sample_->bands));
+    double shares = 0;
+    for (std::size_t i = 0; i < sample_->size(); ++i) {
+        const auto way = eye - sample_->positions[i];
+        const double share =
+            sample_->shares[i] * glm::dot(sample_->normals[i], way) / std::pow(glm::length(way), 3);
+        if (!(share > 0))
+            continue;
+        shares += share;
+        std::fill(light_with.begin(), light_with.end(), Channels{});
+        for (const auto& light : lights) {
+            thickness::thickness_by_bands(*sample_, i, light.basis, d);
+            for (std::size_t n = 0; n < bands; ++n) {
+                const auto left = law.left(d[n] * light.mm);
+                for (std::size_t c = 0; c < 3; ++c)
+                    light_with[n][c] += light.scattered[c] * left[c];
+            }
+        }
+        for (std::size_t n = 0; n < bands; ++n)
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double off = light_with[n][c] - light_with[bands - 1][c];
+                squares[n][c] += share * off * off;
+            }
+    }
+    std::vector<double> changes;
+    for (const auto& square : squares)
+        changes.push_back(
+            shares > 0 ? std::sqrt(*std::max_element(square.begin(), square.end()) / shares) : 0);
+    return changes;
+}
+
 thickness::BandChoice BandPlan::choose(const Scene& scene) const {
+    const int previous = choice_ ? choice_->bands : 0;
+    if (settings_.chooser == BandChooser::Tolerance && sample_)
+        return thickness::choose_bands(reckoned_changes(scene), settings_.tolerance, previous);
     const auto eye = to_eye(scene, field_->bounds);
     const double per_mm = change_per_mm(scene, attenuation_);
     std::vector<thickness::SeenLight> lights;
     for (const auto& light : scene.lights)
         lights.push_back(seen_light(light, scene, field_->bounds, per_mm));
-    const int before = choice_ ? choice_->bands : 0;
     if (settings_.chooser == BandChooser::Paper) {
         const auto strongest =
             std::max_element(lights.begin(), lights.end(), [](const auto& a, const auto& b) {
                 return a.per_length < b.per_length;
             });
-        return thickness::paper_bands(strongest->to_light, eye, settings_.bands, before);
+        return thickness::paper_bands(strongest->to_light, eye, settings_.bands, previous);
     }
-    return thickness::choose_bands(field_->normal_bins, lights, eye, settings_.tolerance, before);
+    return thickness::choose_bands(field_->normal_bins, lights, eye, settings_.tolerance, previous);
 }
 
 BandWeights BandPlan::weights(const Scene& scene, double seconds) {
     int wanted = settings_.bands;
-    if (settings_.chooser != BandChooser::Fixed) {
+    choice_ = may_choose_ ? choice_ : std::nullopt;
+    if (settings_.chooser != BandChooser::Fixed && may_choose_) {
         choice_ = choose(scene);
         wanted = std::min(choice_->bands, settings_.bands);
     }
@@ -104,6 +210,12 @@ BandWeights BandPlan::weights(const Scene& scene, double seconds) {
     std::transform(fade_->weights().begin(), fade_->weights().end(), weights.begin(),
                    [](double weight) { return static_cast<float>(weight); });
     return weights;
+}
+
+std::optional<double> BandPlan::predicted_change() const {
+    if (!choice_ || choice_->predicted.empty())
+        return std::nullopt;
+    return choice_->predicted.at(static_cast<std::size_t>(choice_->bands) - 1);
 }
 
 std::string BandPlan::decision() const {

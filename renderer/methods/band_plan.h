@@ -7,11 +7,13 @@
 #include "renderer/scene.h"
 #include "renderer/thickness/band_choice.h"
 #include "renderer/thickness/band_fade.h"
+#include "renderer/thickness/surface_sample.h"
 #include "renderer/thickness/thickness_field.h"
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace renderer::methods {
 
@@ -29,10 +31,12 @@ struct BandSettings {
 
 class BandPlan {
   public:
-    /// `field` has the bands, and its normal bins where the tolerance chooses.
+    /// `field` has the bands.  Where the tolerance chooses, the change is reckoned at the vertices
+    /// of `sample`, through the law; without one, from the field's normal bins, to first order.
     BandPlan(const BandSettings& settings,
              const Attenuation& attenuation,
-             std::shared_ptr<const thickness::ThicknessField> field);
+             std::shared_ptr<const thickness::ThicknessField> field,
+             std::optional<thickness::SurfaceSample> sample = {});
 
     /// The weights for this light and view, `seconds` after the last call.  Lights are taken as
     /// seen from the centre of the body.
@@ -41,14 +45,23 @@ class BandPlan {
     /// What was chosen last, and why; empty for a fixed number.
     std::string decision() const;
 
+    /// By how much the choice changes the picture; nothing where it was not made by that.
+    std::optional<double> predicted_change() const;
+
+    /// Otherwise all bands are used.
+    void let_choose(bool may) { may_choose_ = may; }
+
   private:
     thickness::BandChoice choose(const Scene& scene) const;
+    std::vector<double> reckoned_changes(const Scene& scene) const;
 
     BandSettings settings_;
     Attenuation attenuation_;
     std::shared_ptr<const thickness::ThicknessField> field_;
+    std::optional<thickness::SurfaceSample> sample_;
     std::optional<thickness::BandChoice> choice_;
     std::optional<thickness::BandFade> fade_;
+    bool may_choose_ = true;
 };
 
 } // namespace renderer::methods

@@ -86,7 +86,8 @@ Description describe_barre_brisebois() {
             .label = "Barr\u00e9-Brisebois 2011",
             .source = "BarreBrisebois2011",
             .dials = dials(),
-            .prepare = prepare_from_dials};
+            .prepare = prepare_from_dials,
+            .sweep = one_at_a_time({{"thickness", {"first"}}})};
 }
 
 Expected<std::unique_ptr<Method>> prepare_barre_brisebois(const BarreBriseboisSettings& settings,

@@ -11,6 +11,7 @@
 #include "renderer/methods/prt.h"
 #include "renderer/methods/separable.h"
 #include "renderer/methods/shss.h"
+#include "renderer/methods/traced.h"
 
 #include <fmt/format.h>
 
@@ -32,6 +33,7 @@ std::span<const Description> catalogue() {
         describe_jensen(),
         describe_barre_brisebois(),
         describe_separable(),
+        describe_traced(),
         describe_constant(),
         describe_phong(),
     };

@@ -12,6 +12,10 @@ namespace renderer::methods {
 /// In the order people read them: the study's methods, their rivals, the baselines.
 std::span<const Description> catalogue();
 
+/// What the others are measured by: the reflection model without any translucency, and the shared
+/// law with nothing left out of the thickness.
+inline constexpr std::string_view bare_method = "phong", exact_method = "traced";
+
 /// Nothing for a name that no method has.
 const Description* find_method(std::string_view name);
 

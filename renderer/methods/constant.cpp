@@ -46,12 +46,15 @@ Description describe_constant() {
                        .meaning = "the thickness light has come through, everywhere, mm",
                        .preset = 10.0,
                        .number = DialRange<double>{0, 1e6}}},
-            .prepare = [](const Dials& dials, const Subject& subject) {
-                return field_with_d_n(law_of(dials), subject).and_then([&](const auto& field) {
-                    return prepare_constant({number_in(dials, "thickness_mm"), law_of(dials)},
-                                            subject.surface, field.get());
-                });
-            }};
+            .prepare =
+                [](const Dials& dials, const Subject& subject) {
+                    return field_with_d_n(law_of(dials), subject).and_then([&](const auto& field) {
+                        return prepare_constant({number_in(dials, "thickness_mm"), law_of(dials)},
+                                                subject.surface, field.get());
+                    });
+                },
+            .sweep = one_at_a_time({{"thickness_mm", {5.0, 20.0}}}),
+            .scatters_by_thickness = true};
 }
 
 Expected<std::unique_ptr<Method>> prepare_constant(const ConstantSettings& settings,

@@ -8,6 +8,7 @@
 #include "renderer/methods/surface.h"
 #include "renderer/scene.h"
 #include "renderer/thickness/thickness_field.h"
+#include "renderer/transfer/transfer_field.h"
 
 #include <functional>
 #include <memory>
@@ -21,6 +22,10 @@ namespace renderer::methods {
 using FieldProvider = std::function<Expected<std::shared_ptr<const thickness::ThicknessField>>(
     const thickness::FieldOptions&)>;
 
+/// Computes a transfer field, or has it already.
+using TransferProvider = std::function<Expected<std::shared_ptr<const transfer::TransferField>>(
+    const transfer::TransferOptions&)>;
+
 /// What a method is made for.  Everything outlives the making, not the method.
 struct Subject {
     const geometry::Mesh& mesh; ///< welded, closed, facing outward
@@ -28,7 +33,8 @@ struct Subject {
     Material material;   ///< a method may build the medium in: another one wants it made again
     Placement placement; ///< the same holds for its scale, mm to a model unit
     FieldProvider field;
-    thickness::Progress progress; ///< for what a method computes by itself
+    thickness::Progress progress;   ///< for what a method computes by itself
+    TransferProvider transfer = {}; ///< where several methods share them; else each has its own
 };
 
 struct Description {
@@ -42,6 +48,13 @@ struct Description {
 
     /// What is wrong with dials that are right one by one; may be null.
     std::optional<DialProblem> (*refuse)(const Dials& complete_dials) = nullptr;
+
+    /// Settings whose cost and error are worth knowing, beside the presets: what they change.
+    std::vector<Dials> sweep = {};
+
+    /// Its scatter term is k_sc I_p times the law of a thickness toward the light, and nothing
+    /// else, so that a picture of that term tells the thickness.
+    bool scatters_by_thickness = false;
 };
 
 } // namespace renderer::methods

@@ -54,6 +54,14 @@ const DialValue& value_of(const Dials& dials, std::string_view name) {
 
 } // namespace
 
+std::vector<Dials> one_at_a_time(const std::vector<DialSteps>& steps, const Dials& throughout) {
+    std::vector<Dials> settings;
+    for (const auto& step : steps)
+        for (const auto& value : step.values)
+            settings.emplace_back(throughout).insert_or_assign(step.dial, value);
+    return settings;
+}
+
 tl::expected<Dials, DialProblem> complete(const std::vector<Dial>& dials, Dials given) {
     for (const auto& [name, value] : given)
         if (std::none_of(dials.begin(), dials.end(),

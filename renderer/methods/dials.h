@@ -35,6 +35,16 @@ struct Dial {
     std::vector<std::string> names = {};
 };
 
+/// Some values of a dial, as those worth measuring.
+struct DialSteps {
+    std::string dial;
+    std::vector<DialValue> values;
+};
+
+/// Settings that differ in one dial each: every value of every step in turn, together with
+/// `throughout`.
+std::vector<Dials> one_at_a_time(const std::vector<DialSteps>& steps, const Dials& throughout = {});
+
 /// What a dial is set to that it cannot be: "bands" and "is 9, expected 1..6".
 struct DialProblem {
     std::string dial;

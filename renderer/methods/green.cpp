@@ -161,9 +161,12 @@ Description describe_green() {
             .label = "Green 2004",
             .source = "Green2004",
             .dials = {law_dial(), depth_map_dial()},
-            .prepare = [](const Dials& dials, const Subject& subject) {
-                return prepare_for(settings_from(dials), subject);
-            }};
+            .prepare =
+                [](const Dials& dials, const Subject& subject) {
+                    return prepare_for(settings_from(dials), subject);
+                },
+            .sweep = one_at_a_time({{"depth_map", {256, 512, 1024, 4096}}}),
+            .scatters_by_thickness = true};
 }
 
 Description describe_green_blur() {
@@ -178,13 +181,16 @@ Description describe_green_blur() {
                        .preset = "auto",
                        .number = DialRange<double>{0.001, 1000},
                        .names = {"auto"}}},
-            .prepare = [](const Dials& dials, const Subject& subject) {
-                auto settings = settings_from(dials);
-                settings.map = is_name(dials, "blur_mm")
-                                   ? BlurredMap{}
-                                   : BlurredMap{Millimetres{number_in(dials, "blur_mm")}};
-                return prepare_for(settings, subject);
-            }};
+            .prepare =
+                [](const Dials& dials, const Subject& subject) {
+                    auto settings = settings_from(dials);
+                    settings.map = is_name(dials, "blur_mm")
+                                       ? BlurredMap{}
+                                       : BlurredMap{Millimetres{number_in(dials, "blur_mm")}};
+                    return prepare_for(settings, subject);
+                },
+            .sweep = one_at_a_time({{"depth_map", {64, 128}}, {"blur_mm", {0.5, 1.0, 2.0, 4.0}}}),
+            .scatters_by_thickness = true};
 }
 
 Description describe_green_peel() {
@@ -198,11 +204,14 @@ Description describe_green_peel() {
                                   "of material",
                        .preset = std::int64_t{PeeledMap{}.layers},
                        .whole = DialRange<std::int64_t>{1, 64}}},
-            .prepare = [](const Dials& dials, const Subject& subject) {
-                auto settings = settings_from(dials);
-                settings.map = PeeledMap{static_cast<int>(whole_in(dials, "layers"))};
-                return prepare_for(settings, subject);
-            }};
+            .prepare =
+                [](const Dials& dials, const Subject& subject) {
+                    auto settings = settings_from(dials);
+                    settings.map = PeeledMap{static_cast<int>(whole_in(dials, "layers"))};
+                    return prepare_for(settings, subject);
+                },
+            .sweep = one_at_a_time({{"depth_map", {256, 512, 1024}}, {"layers", {2, 4}}}),
+            .scatters_by_thickness = true};
 }
 
 Expected<std::unique_ptr<Method>> prepare_green(const GreenSettings& settings,

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace renderer::methods {
@@ -41,6 +42,14 @@ class Method {
     /// What the method chose by itself at the last update, and why, in words; empty where it had no
     /// choice.
     virtual std::string decision() const { return {}; }
+
+    /// What that choice changes in the picture, as the method reckons beforehand: root mean square
+    /// of brightness over what is seen, 1 = white.  Nothing where it had no choice or reckoned not.
+    virtual std::optional<double> predicted_change() const { return {}; }
+
+    /// Whether it may choose by itself, as it does at first; otherwise it uses all it has, from the
+    /// next update on.  Nothing changes where there is no choice.
+    virtual void let_choose(bool) {}
 };
 
 } // namespace renderer::methods

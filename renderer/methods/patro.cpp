@@ -126,12 +126,14 @@ Description describe_patro() {
                                   "channel, or irradiance in three bands of spherical harmonics",
                        .preset = "normals",
                        .names = {"normals", "harmonics"}}},
-            .prepare = [](const Dials& dials, const Subject& subject) {
-                return prepare_patro({name_in(dials, "variant") == "harmonics"
-                                          ? PatroSettings::Variant::Harmonics
-                                          : PatroSettings::Variant::Normals},
-                                     subject);
-            }};
+            .prepare =
+                [](const Dials& dials, const Subject& subject) {
+                    return prepare_patro({name_in(dials, "variant") == "harmonics"
+                                              ? PatroSettings::Variant::Harmonics
+                                              : PatroSettings::Variant::Normals},
+                                         subject);
+                },
+            .sweep = one_at_a_time({{"variant", {"harmonics"}}})};
 }
 
 Expected<std::unique_ptr<Method>> prepare_patro(const PatroSettings& settings,

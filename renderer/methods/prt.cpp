@@ -267,23 +267,41 @@ std::optional<DialProblem> refuse_dials(const Dials& dials) {
     return std::nullopt;
 }
 
+std::vector<Dials> settings_worth_measuring() {
+    // every number of bands is a transfer to be computed, half a minute for a scan: two will do
+    auto settings = one_at_a_time({{"bands", {3}}, {"vectors", {4, 8}}});
+    for (const auto& shared : one_at_a_time({{"clusters", {64}}}, {{"vectors", 4}}))
+        settings.push_back(shared);
+    return settings;
+}
+
+Expected<std::shared_ptr<const transfer::TransferField>>
+transfer_for(const transfer::TransferOptions& options, const Subject& subject) {
+    if (subject.transfer)
+        return subject.transfer(options);
+    return transfer::compute_transfer_field(subject.mesh, subject.material.medium,
+                                            mm_per_unit(subject.placement), options,
+                                            [&](double fraction) {
+                                                if (subject.progress)
+                                                    subject.progress(fraction);
+                                                return true;
+                                            })
+        .map([](transfer::TransferField field) {
+            return std::make_shared<const transfer::TransferField>(std::move(field));
+        });
+}
+
 Expected<std::unique_ptr<Method>> prepare_from_dials(const Dials& dials, const Subject& subject) {
     const int bands = static_cast<int>(whole_in(dials, "bands"));
-    const auto field = transfer::compute_transfer_field(
-        subject.mesh, subject.material.medium, mm_per_unit(subject.placement),
-        {.bands = bands, .directions = static_cast<int>(whole_in(dials, "directions"))},
-        [&](double fraction) {
-            if (subject.progress)
-                subject.progress(fraction);
-            return true;
-        });
+    const auto field = transfer_for(
+        {.bands = bands, .directions = static_cast<int>(whole_in(dials, "directions"))}, subject);
     if (!field)
         return tl::make_unexpected(field.error());
     const auto vectors = static_cast<std::size_t>(whole_in(dials, "vectors"));
     if (vectors == 0)
-        return prepare_prt(subject.surface, *field);
+        return prepare_prt(subject.surface, **field);
     const auto signals = transfer::compress(
-        field->transfer, static_cast<std::size_t>(3 * harmonics::coefficient_count(bands)),
+        (*field)->transfer, static_cast<std::size_t>(3 * harmonics::coefficient_count(bands)),
         {.clusters = static_cast<std::size_t>(whole_in(dials, "clusters")), .vectors = vectors});
     return prepare_prt(subject.surface, signals, bands);
 }
@@ -313,7 +331,8 @@ Description describe_prt() {
                        .preset = std::int64_t{1024},
                        .whole = DialRange<std::int64_t>{1, 65536}}},
             .prepare = prepare_from_dials,
-            .refuse = refuse_dials};
+            .refuse = refuse_dials,
+            .sweep = settings_worth_measuring()};
 }
 
 Expected<std::unique_ptr<Method>> prepare_prt(std::shared_ptr<const Surface> surface,

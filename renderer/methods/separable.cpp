@@ -171,7 +171,8 @@ Description describe_separable() {
                        .preset = std::int64_t{SeparableSettings{}.taps},
                        .whole = DialRange<std::int64_t>{3, most_taps}}},
             .prepare = prepare_from_dials,
-            .refuse = refuse_dials};
+            .refuse = refuse_dials,
+            .sweep = one_at_a_time({{"depth_map", {256, 512, 1024}}, {"taps", {9, 17, 51}}})};
 }
 
 Expected<std::unique_ptr<Method>> prepare_separable(const SeparableSettings& settings,

@@ -4,6 +4,7 @@
 #include "renderer/methods/shading.h"
 #include "renderer/methods/shss.frag.h"
 #include "renderer/methods/shss.vert.h"
+#include "renderer/methods/thickness_dial.h"
 #include "renderer/methods/thickness_pass.h"
 
 #include <fmt/format.h>
@@ -49,6 +50,10 @@ class Shss : public Method {
 
     std::string decision() const override { return plan_.decision(); }
 
+    std::optional<double> predicted_change() const override { return plan_.predicted_change(); }
+
+    void let_choose(bool may) override { plan_.let_choose(may); }
+
   private:
     SurfaceShader shader_;
     ThicknessPass pass_;
@@ -68,13 +73,6 @@ Expected<void> check_bands(int bands, const thickness::ThicknessField* field) {
             fmt::format("SHSS with {0} bands and a thickness field of {1}, expected {0} or more",
                         bands, field->bands));
     return {};
-}
-
-thickness::Kind thickness_kind(const Dials& dials) {
-    const auto name = name_in(dials, "thickness");
-    if (name == "first")
-        return thickness::Kind::First;
-    return name == "span" ? thickness::Kind::Span : thickness::Kind::Sum;
 }
 
 thickness::ComponentType component_type(const Dials& dials) {
@@ -109,6 +107,19 @@ std::optional<DialProblem> refuse_dials(const Dials& dials) {
     return std::nullopt;
 }
 
+std::vector<Dials> settings_worth_measuring() {
+    auto settings = one_at_a_time({{"bands", {1, 2, 3, 4, 6, "auto"}},
+                                   {"coefficients", {"float16", "int8"}},
+                                   {"directions", {64, 256}}});
+    const auto add = [&](const std::vector<DialSteps>& steps, const Dials& throughout) {
+        for (auto& more : one_at_a_time(steps, throughout))
+            settings.push_back(std::move(more));
+    };
+    add({{"bands", {2, 3}}}, {{"coefficients", "int8"}});
+    add({{"thickness", {"first", "span"}}}, {{"directions", 256}});
+    return settings;
+}
+
 Expected<std::unique_ptr<Method>> prepare_from_dials(const Dials& dials, const Subject& subject) {
     const ShssSettings settings{
         .bands = band_settings(dials), .law = law_of(dials), .coefficients = component_type(dials)};
@@ -118,7 +129,10 @@ Expected<std::unique_ptr<Method>> prepare_from_dials(const Dials& dials, const S
                        .directions = static_cast<int>(whole_in(dials, "directions"))});
     if (!field)
         return tl::make_unexpected(field.error());
-    return prepare_shss(settings, subject.surface, *field);
+    std::optional<thickness::SurfaceSample> sample;
+    if (settings.bands.chooser == BandChooser::Tolerance)
+        sample = thickness::sample_surface(subject.mesh, **field);
+    return prepare_shss(settings, subject.surface, *field, std::move(sample));
 }
 
 } // namespace
@@ -140,11 +154,7 @@ Description describe_shss() {
                        .preset = BandSettings{}.tolerance,
                        .number = DialRange<double>{0, 1}},
                       law_dial(),
-                      {.name = "thickness",
-                       .meaning = "which length counts: all interior segments, the one that starts "
-                                  "at the vertex, or the way to the last exit",
-                       .preset = "sum",
-                       .names = {"sum", "first", "span"}},
+                      thickness_dial(),
                       {.name = "directions",
                        .meaning = "rays per vertex, at least two for each coefficient",
                        .preset = std::int64_t{1024},
@@ -154,13 +164,16 @@ Description describe_shss() {
                        .preset = "float32",
                        .names = {"float32", "float16", "int8"}}},
             .prepare = prepare_from_dials,
-            .refuse = refuse_dials};
+            .refuse = refuse_dials,
+            .sweep = settings_worth_measuring(),
+            .scatters_by_thickness = true};
 }
 
 Expected<std::unique_ptr<Method>>
 prepare_shss(const ShssSettings& settings,
              std::shared_ptr<const Surface> surface,
-             std::shared_ptr<const thickness::ThicknessField> field) {
+             std::shared_ptr<const thickness::ThicknessField> field,
+             std::optional<thickness::SurfaceSample> sample) {
     if (const auto fits = check_bands(settings.bands.bands, field.get()); !fits)
         return tl::make_unexpected(fits.error());
     const auto attenuation = attenuation_for(settings.law, field.get());
@@ -175,8 +188,9 @@ prepare_shss(const ShssSettings& settings,
         {.vertex = {{"shss.vert", shss_vert}}, .fragment = {{"shss.frag", shss_frag}}});
     if (!shader)
         return tl::make_unexpected(shader.error());
-    return std::make_unique<Shss>(std::move(*shader), std::move(*pass),
-                                  BandPlan(settings.bands, *attenuation, std::move(field)));
+    return std::make_unique<Shss>(
+        std::move(*shader), std::move(*pass),
+        BandPlan(settings.bands, *attenuation, std::move(field), std::move(sample)));
 }
 
 } // namespace renderer::methods

@@ -6,6 +6,10 @@
 #include "renderer/methods/band_plan.h"
 #include "renderer/methods/description.h"
 #include "renderer/thickness/streams.h"
+#include "renderer/thickness/surface_sample.h"
+
+#include <memory>
+#include <optional>
 
 namespace renderer::methods {
 
@@ -17,12 +21,14 @@ struct ShssSettings {
     thickness::ComponentType coefficients = thickness::ComponentType::Float32;
 };
 
-/// Keeps the bands of `field` that may be used in vertex buffers.
+/// Keeps the bands of `field` that may be used in vertex buffers.  `sample`, of the same mesh and
+/// field, is where a choice of bands is reckoned (methods/band_plan.h).
 /// Errors: no field, one of another mesh, or one with fewer bands than asked for; bands outside
 /// 1..6.
 Expected<std::unique_ptr<Method>>
 prepare_shss(const ShssSettings& settings,
              std::shared_ptr<const Surface> surface,
-             std::shared_ptr<const thickness::ThicknessField> field);
+             std::shared_ptr<const thickness::ThicknessField> field,
+             std::optional<thickness::SurfaceSample> sample = {});
 
 } // namespace renderer::methods

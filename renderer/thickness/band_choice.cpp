@@ -74,17 +74,23 @@ BandChoice choose_bands(const NormalBins& bins,
                         int previous) {
     EXPECTS(bins.bands >= 1);
     EXPECTS(is_unit(to_eye));
-    EXPECTS(tolerance >= 0);
     const auto y = together(bins.bands, lights);
-    BandChoice choice;
+    std::vector<double> predicted;
     for (int n = 1; n < bins.bands; ++n)
-        choice.predicted.push_back(without_first(bins, y, to_eye, n));
-    choice.predicted.push_back(0);
+        predicted.push_back(without_first(bins, y, to_eye, n));
+    predicted.push_back(0);
+    return choose_bands(std::move(predicted), tolerance, previous);
+}
 
+BandChoice choose_bands(std::vector<double> predicted, double tolerance, int previous) {
+    EXPECTS(tolerance >= 0);
+    EXPECTS(!predicted.empty() && predicted.back() == 0);
+    BandChoice choice{.predicted = std::move(predicted)};
+    const int available = static_cast<int>(choice.predicted.size());
     const int fewest = fewest_within(choice.predicted, tolerance);
     const int with_spare = fewest_within(choice.predicted, (1 - spare) * tolerance);
     choice.bands = fewest;
-    choice.rule = fewest == bins.bands ? BandRule::Everything : BandRule::WithinTolerance;
+    choice.rule = fewest == available ? BandRule::Everything : BandRule::WithinTolerance;
     if (previous > fewest && with_spare > fewest) {
         choice.bands = std::min(previous, with_spare);
         choice.rule = BandRule::Held;

@@ -65,6 +65,10 @@ BandChoice choose_bands(const NormalBins& bins,
                         double tolerance,
                         int previous = 0);
 
+/// The same for changes that were predicted in another way: predicted[n - 1] with n bands, the last
+/// 0.  Errors: EXPECTS that.
+BandChoice choose_bands(std::vector<double> predicted, double tolerance, int previous = 0);
+
 /// The paper's preset: 5 bands with the light behind the object (L.V < 0), else 2; at most
 /// `available`.  With `previous` it changes only when L.V is past 0 by 0.05.  [SHSS]
 BandChoice paper_bands(glm::dvec3 to_light, glm::dvec3 to_eye, int available, int previous = 0);

@@ -4,13 +4,12 @@
 #include "renderer/contract.h"
 #include "renderer/geometry/crossings.h"
 #include "renderer/geometry/morton_order.h"
-#include "renderer/geometry/openings.h"
 #include "renderer/harmonics/basis.h"
 #include "renderer/harmonics/directions.h"
 #include "renderer/harmonics/projection.h"
 #include "renderer/thickness/percentile.h"
+#include "renderer/thickness/solid.h"
 #include "renderer/thickness/surface_shares.h"
-#include "renderer/thickness/traceable.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -21,10 +20,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <memory>
 #include <mutex>
 #include <numeric>
-#include <optional>
 
 namespace renderer::thickness {
 
@@ -142,39 +139,6 @@ harmonics::DirectionSet in_morton_order(const harmonics::DirectionSet& set) {
     }
     return ordered;
 }
-
-/// The mesh as rays meet it; where it has openings, with what decides there.
-class Solid {
-  public:
-    /// Errors: what is no solid, see traceable.h.
-    static Expected<std::unique_ptr<Solid>> of(const Mesh& mesh) {
-        if (auto solid = check_solid(mesh); !solid)
-            return tl::unexpected(solid.error());
-        auto solid = std::make_unique<Solid>(geometry::cover_openings(mesh));
-        if (auto outward = check_components_face_outward(solid->scene()); !outward)
-            return tl::unexpected(outward.error());
-        return solid;
-    }
-
-    explicit Solid(const geometry::CoveredMesh& covered)
-        : scene_(covered.mesh), vertices_(covered.own_vertices) {
-        if (covered.own_triangles < covered.mesh.triangles.size())
-            interior_.emplace(scene_, covered.own_triangles);
-    }
-
-    const RayScene& scene() const { return scene_; }
-
-    InteriorTracer tracer() const {
-        return interior_ ? InteriorTracer(scene_, *interior_) : InteriorTracer(scene_);
-    }
-
-    std::span<const glm::vec3> vertices() const { return scene_.positions().first(vertices_); }
-
-  private:
-    RayScene scene_;
-    std::size_t vertices_;
-    std::optional<geometry::OpenInterior> interior_;
-};
 
 struct Projection {
     harmonics::DirectionSet set;
@@ -309,19 +273,27 @@ reconstruct(const ThicknessField& field, std::size_t v, std::span<const double> 
 
 Expected<std::vector<double>>
 trace_thickness(const geometry::Mesh& mesh, Kind kind, std::span<const glm::dvec3> directions) {
-    const auto solid = Solid::of(mesh);
-    if (!solid)
-        return tl::unexpected(solid.error());
-    std::vector<double> result(mesh.positions.size() * directions.size());
+    return ThicknessTracer::prepare(mesh).and_then(
+        [&](const ThicknessTracer& tracer) { return tracer.trace(kind, directions); });
+}
+
+ThicknessTracer::ThicknessTracer(std::shared_ptr<const Solid> solid)
+    : solid_(std::move(solid)), order_(geometry::morton_order(solid_->vertices())) {}
+
+Expected<ThicknessTracer> ThicknessTracer::prepare(const geometry::Mesh& mesh) {
+    return Solid::of(mesh).map([](auto solid) { return ThicknessTracer(std::move(solid)); });
+}
+
+Expected<std::vector<double>> ThicknessTracer::trace(Kind kind,
+                                                     std::span<const glm::dvec3> directions) const {
+    std::vector<double> result(order_.size() * directions.size());
     Proceedings proceedings(static_cast<double>(result.size()), {});
-    for_each_block(
-        geometry::morton_order((*solid)->vertices()), [&](std::span<const std::uint32_t> block) {
-            InteriorTracer tracer = (*solid)->tracer();
-            for (std::size_t k = 0; k < directions.size() && proceedings.go_on(); ++k)
-                trace_block(tracer, kind, block, directions[k], proceedings, [&](auto i, double d) {
-                    result[block[i] * directions.size() + k] = d;
-                });
-        });
+    for_each_block(order_, [&](std::span<const std::uint32_t> block) {
+        InteriorTracer tracer = solid_->tracer();
+        for (std::size_t k = 0; k < directions.size() && proceedings.go_on(); ++k)
+            trace_block(tracer, kind, block, directions[k], proceedings,
+                        [&](auto i, double d) { result[block[i] * directions.size() + k] = d; });
+    });
     if (auto outcome = proceedings.outcome(); !outcome)
         return tl::unexpected(outcome.error());
     return result;

@@ -10,11 +10,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <stop_token>
 #include <vector>
 
 namespace renderer::thickness {
+
+class Solid;
 
 /// Which length along the ray counts.
 enum class Kind {
@@ -85,5 +88,22 @@ reconstruct(const ThicknessField& field, std::size_t v, std::span<const double> 
 /// Shape: result[v * directions.size() + k].
 Expected<std::vector<double>>
 trace_thickness(const geometry::Mesh& mesh, Kind kind, std::span<const glm::dvec3> directions);
+
+/// `trace_thickness` for directions that come one after the other: the mesh is made ready for rays
+/// once.
+class ThicknessTracer {
+  public:
+    /// Copies what it needs.  Errors: a mesh that is no solid, as above.
+    static Expected<ThicknessTracer> prepare(const geometry::Mesh& mesh);
+
+    /// Errors: more than 1e-4 of the rays unresolved.
+    Expected<std::vector<double>> trace(Kind kind, std::span<const glm::dvec3> directions) const;
+
+  private:
+    explicit ThicknessTracer(std::shared_ptr<const Solid> solid);
+
+    std::shared_ptr<const Solid> solid_;
+    std::vector<std::uint32_t> order_; ///< of the vertices, neighbours together
+};
 
 } // namespace renderer::thickness

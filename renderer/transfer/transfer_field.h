@@ -28,6 +28,8 @@ struct TransferOptions {
     std::uint64_t rotation_seed = 1;
     double opening = 0.05; ///< solid angle, sr, above which a node of samples is opened
     std::size_t most_samples = 4'000'000;
+
+    bool operator==(const TransferOptions&) const = default;
 };
 
 /// The transfer vectors of all vertices: 3 bands^2 floats each.

@@ -10,18 +10,17 @@
 // true one in 95 of 100 runs (of the order statistics: nothing is assumed of the noise), then the
 // geometric mean of the medians over the models.  Processor time counts all threads of the
 // rasteriser.
+#include "renderer/cost/frame_times.h"
+#include "renderer/cost/quantiles.h"
 #include "renderer/gpu/context.h"
 #include "renderer/gpu/target.h"
 #include "renderer/methods/catalogue.h"
 #include "tests/bench/workbench.h"
 
 #include <fmt/format.h>
-#include <glm/trigonometric.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -33,12 +32,6 @@ namespace {
 using namespace renderer;
 using namespace bench;
 using methods::Dials;
-
-double processor_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Options {
     int rounds = 15;
@@ -84,31 +77,9 @@ struct Variant {
     std::string name;
     std::shared_ptr<methods::Method> method;
     bool light_moves;
-    std::vector<double> seconds; ///< of one frame, one a round
 };
 
 constexpr int frames_per_turn = 4;
-
-/// The light goes around the body, a degree a frame.
-void move_light(Scene& scene, int frame) {
-    const double angle = glm::radians(static_cast<double>(frame));
-    scene.lights.front().place = DirectionalLight{{std::sin(angle), 0.3, -std::cos(angle)}};
-}
-
-double seconds_of_a_frame(Variant& variant, Scene scene, int first_frame) {
-    value_or_throw(variant.method->update(scene).map([] { return 0; }));
-    variant.method->draw(scene);
-    gpu::finish();
-    const double start = processor_seconds();
-    for (int i = 0; i < frames_per_turn; ++i) {
-        if (variant.light_moves)
-            move_light(scene, first_frame + i);
-        value_or_throw(variant.method->update(scene).map([] { return 0; }));
-        variant.method->draw(scene);
-        gpu::finish();
-    }
-    return (processor_seconds() - start) / frames_per_turn;
-}
 
 std::vector<Variant> variants_for(const geometry::Mesh& mesh, const Options& options) {
     const auto scene = scene_of(mesh, options.width, options.height);
@@ -120,8 +91,8 @@ std::vector<Variant> variants_for(const geometry::Mesh& mesh, const Options& opt
             if (dial.name == "law")
                 dials["law"] = options.law;
         const std::shared_ptr<methods::Method> made = workbench.prepare(name, dials);
-        variants.push_back({label + ", light moves", made, true, {}});
-        variants.push_back({label + ", light rests", made, false, {}});
+        variants.push_back({label + ", light moves", made, true});
+        variants.push_back({label + ", light rests", made, false});
     };
     add("constant", "constant", {});
     add("phong", "phong", {});
@@ -135,14 +106,6 @@ std::vector<Variant> variants_for(const geometry::Mesh& mesh, const Options& opt
             options.wants(method.name))
             add(method.name, method.name, {});
     return variants;
-}
-
-double quantile(std::vector<double> values, double q) {
-    std::sort(values.begin(), values.end());
-    const double place = q * static_cast<double>(values.size() - 1);
-    const auto i = static_cast<std::size_t>(place);
-    const double rest = place - static_cast<double>(i);
-    return i + 1 < values.size() ? values[i] * (1 - rest) + values[i + 1] * rest : values[i];
 }
 
 struct Median {
@@ -162,7 +125,7 @@ Median median_of(std::vector<double> values) {
     const auto at = [&](double place) {
         return values[static_cast<std::size_t>(std::clamp(place, 0.0, n - 1))];
     };
-    return {quantile(values, 0.5), at(std::floor(n / 2 - half)), at(std::ceil(n / 2 + half))};
+    return {cost::quantile(values, 0.5), at(std::floor(n / 2 - half)), at(std::ceil(n / 2 + half))};
 }
 
 /// Of the ratios to the floor and to Phong, variant by variant.
@@ -183,27 +146,16 @@ Median geometric_mean(const std::vector<Median>& medians) {
             std::exp((sum + std::sqrt(above)) / n)};
 }
 
-std::vector<double> ratios(const Variant& variant, const Variant& base) {
-    std::vector<double> result;
-    for (std::size_t round = 0; round < variant.seconds.size(); ++round)
-        result.push_back(variant.seconds[round] / base.seconds[round]);
-    return result;
-}
-
 std::map<std::string, Ratios> measure(const std::string& name, const Options& options) {
     const auto mesh = load_mesh(name);
     const auto target = value_or_throw(gpu::Target::create(options.width, options.height));
-    const auto scene = scene_of(mesh, options.width, options.height);
-    auto variants = variants_for(mesh, options);
-    const auto drawing = target.draw_into();
-    for (int round = -1; round < options.rounds; ++round)
-        for (std::size_t k = 0; k < variants.size(); ++k) {
-            auto& variant = variants[(k + static_cast<std::size_t>(round + 1)) % variants.size()];
-            target.clear();
-            const double seconds = seconds_of_a_frame(variant, scene, 7 * round);
-            if (round >= 0) // the first round compiles shaders
-                variant.seconds.push_back(seconds);
-        }
+    const auto variants = variants_for(mesh, options);
+    std::vector<cost::Turn> turns;
+    for (const auto& variant : variants)
+        turns.push_back({variant.method.get(), variant.light_moves});
+    const auto times = value_or_throw(cost::take_turns(
+        turns, scene_of(mesh, options.width, options.height), target,
+        {.rounds = options.rounds, .frames = frames_per_turn, .slow_rounds = options.rounds}));
     fmt::print("\n{}: {} vertices, {} triangles, law {}, {} rounds of {} frames\n\n", name,
                mesh.positions.size(), mesh.triangles.size(), options.law, options.rounds,
                frames_per_turn);
@@ -211,13 +163,14 @@ std::map<std::string, Ratios> measure(const std::string& name, const Options& op
         "| variant | ms of processor time | ratio to the floor (95 %) | ratio to Phong (95 %) | "
         "bytes a vertex |\n|---|---|---|---|---|\n");
     std::map<std::string, Ratios> medians;
-    for (const auto& variant : variants) {
-        const auto floor = ratios(variant, variants[1]), phong = ratios(variant, variants[3]);
-        const Ratios both{median_of(floor), median_of(phong)};
-        fmt::print("| {} | {:.2f} | {} | {} | {} |\n", variant.name,
-                   1000 * quantile(variant.seconds, 0.5), text_of(both.to_floor),
-                   text_of(both.to_phong), variant.method->cost().bytes_per_vertex);
-        medians[variant.name] = both;
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+        const auto& seconds = times[i].processor;
+        const Ratios both{median_of(cost::ratios(seconds, times[1].processor)),
+                          median_of(cost::ratios(seconds, times[3].processor))};
+        fmt::print("| {} | {:.2f} | {} | {} | {} |\n", variants[i].name,
+                   1000 * cost::quantile(seconds, 0.5), text_of(both.to_floor),
+                   text_of(both.to_phong), variants[i].method->cost().bytes_per_vertex);
+        medians[variants[i].name] = both;
     }
     return medians;
 }

@@ -8,11 +8,11 @@
 #include "renderer/materials.h"
 #include "renderer/methods/catalogue.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 
 namespace bench {
 
@@ -43,11 +43,13 @@ scene_of(const geometry::Mesh& mesh, int width, int height, Millimetres diameter
     return scene;
 }
 
-/// Traces 256 directions: neither a frame's cost nor an error of storage depends on more.
+/// Whatever a method asks for, as many directions are traced: 256 will do where neither a frame's
+/// cost nor an error of storage depends on more.
 class Workbench {
   public:
-    Workbench(const geometry::Mesh& mesh, const Scene& scene)
-        : mesh_(mesh), scene_(scene), surface_(value_or_throw(methods::Surface::upload(mesh))) {}
+    Workbench(const geometry::Mesh& mesh, const Scene& scene, int directions = 256)
+        : mesh_(mesh), scene_(scene), directions_(directions),
+          surface_(value_or_throw(methods::Surface::upload(mesh))) {}
 
     std::shared_ptr<methods::Method> prepare(const std::string& name,
                                              const methods::Dials& dials) const {
@@ -65,8 +67,9 @@ class Workbench {
     using Field = std::shared_ptr<const thickness::ThicknessField>;
 
     Expected<Field> field(thickness::FieldOptions asked) const {
-        asked.directions = 256;
-        auto& traced = fields_[{asked.kind, asked.bands}];
+        asked.bands = 6; // serves whoever wants fewer
+        asked.directions = std::max(directions_, 2 * 6 * 6);
+        auto& traced = fields_[asked.kind];
         if (traced == nullptr) {
             auto computed = thickness::compute_thickness_field(mesh_, asked);
             if (!computed)
@@ -78,8 +81,9 @@ class Workbench {
 
     const geometry::Mesh& mesh_;
     Scene scene_;
+    int directions_;
     std::shared_ptr<const methods::Surface> surface_;
-    mutable std::map<std::tuple<thickness::Kind, int>, Field> fields_;
+    mutable std::map<thickness::Kind, Field> fields_;
 };
 
 } // namespace bench

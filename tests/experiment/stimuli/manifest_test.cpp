@@ -16,6 +16,9 @@ Manifest two_pictures() {
     rendered.model = {"bunny.obj", "ef", 34835, 69666};
     rendered.brightness = {0.1, 0.2, 2.0, 0.001};
     rendered.frame_milliseconds = 12.5;
+    rendered.decision = "3 of 5 bands";
+    rendered.predicted_change = 0.003;
+    rendered.measured_change = 0.0025;
     manifest.pictures[{{"bunny"}, {""}, {"mine"}}] = {.recipe = "s",
                                                       .renderer = "own image",
                                                       .dials = {},

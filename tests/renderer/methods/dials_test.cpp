@@ -67,6 +67,32 @@ TEST(Catalogue, HasNamesAndPresetsThatItsOwnDialsTake) {
     EXPECT_EQ(find_method("shs"), nullptr);
 }
 
+TEST(Dials, AreSweptOneAtATime) {
+    const auto settings =
+        one_at_a_time({{"bands", {std::int64_t{1}, "auto"}}, {"law", {"b"}}}, {{"width_mm", 2.0}});
+    ASSERT_EQ(settings.size(), 3U);
+    EXPECT_EQ(settings[0], (Dials{{"bands", std::int64_t{1}}, {"width_mm", 2.0}}));
+    EXPECT_EQ(settings[1], (Dials{{"bands", "auto"}, {"width_mm", 2.0}}));
+    EXPECT_EQ(settings[2], (Dials{{"law", "b"}, {"width_mm", 2.0}}));
+}
+
+TEST(Catalogue, SweepsWhatItsOwnDialsTakeAndOnceOnly) {
+    std::size_t swept = 0;
+    for (const auto& method : catalogue()) {
+        std::set<Dials> seen{*complete_for(method.name, {})};
+        for (const auto& changed : method.sweep) {
+            const auto dials = complete_for(method.name, changed);
+            ASSERT_TRUE(dials) << method.name << ": " << dials.error().dial << ' '
+                               << dials.error().what;
+            EXPECT_TRUE(seen.insert(*dials).second) << method.name << " twice, or its presets";
+            ++swept;
+        }
+    }
+    EXPECT_GE(swept, 40U);
+    for (const auto name : {bare_method, exact_method})
+        EXPECT_NE(find_method(name), nullptr) << name;
+}
+
 TEST(Catalogue, RefusesMoreCoefficientsThanRaysCanCarry) {
     const auto dials = complete_for("shss", {{"directions", std::int64_t{24}}});
     ASSERT_FALSE(dials);

@@ -1,0 +1,276 @@
+// pairlight cost: what every method and its dials cost, how far they are off, and which to take.
+#include "experiment/commands/commands.h"
+#include "experiment/commands/within.h"
+#include "experiment/cost/contestants.h"
+#include "experiment/cost/cost_page.h"
+#include "experiment/cost/measure_scene.h"
+#include "experiment/models.h"
+#include "experiment/progress.h"
+#include "experiment/read_study.h"
+#include "experiment/session/clock.h"
+#include "experiment/study_folder.h"
+#include "renderer/gpu/context.h"
+#include "renderer/materials.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace experiment::commands {
+
+namespace fs = std::filesystem;
+
+using protocols::Rendering;
+using protocols::Variant;
+
+namespace {
+
+struct Options {
+    std::string subject;
+    std::vector<std::string> scenes, variants;
+    // for a model without a study
+    protocols::Scene look{.material = "marble"};
+    std::array<double, 3> to_light{0, 0, 0};
+    int frame_size = 480;
+    std::string time = "auto";
+
+    std::string law;
+    cost::MeasureOptions measure;
+    std::string error = "law";
+    double tolerance = 0, budget_ms = 0;
+    std::string out;
+    Voice voice;
+};
+
+Variant lit_from(const char* id, const char* label, std::array<double, 3> direction) {
+    const double length = std::hypot(direction[0], direction[1], direction[2]);
+    for (auto& coordinate : direction)
+        coordinate /= length;
+    return {.id = {id}, .label = label, .lights = {{.to_light = direction}}};
+}
+
+/// A study of one scene, under three lights or the one that was asked for.
+LoadedStudy study_of_model(const Options& options) {
+    LoadedStudy loaded{.folder = {"."}, .study = {}, .sha256 = {}};
+    auto scene = options.look;
+    scene.model = options.subject;
+    scene.id = {fs::path(options.subject).stem().string()};
+    loaded.study.id = loaded.study.title = scene.id.value;
+    loaded.study.width = loaded.study.height = options.frame_size;
+    loaded.study.scenes = {scene};
+    const auto& l = options.to_light;
+    if (std::hypot(l[0], l[1], l[2]) > 0)
+        loaded.study.variants = {lit_from("light", "under the light asked for", l)};
+    else
+        loaded.study.variants = {lit_from("back", "from behind", {0, 0.3, -1}),
+                                 lit_from("front", "from the front", {0.3, 0.3, 1}),
+                                 lit_from("left", "from the left", {-1, 0.2, 0.2})};
+    return loaded;
+}
+
+bool is_study(const std::string& path) {
+    std::error_code ignored;
+    return fs::path(path).extension() == ".toml" ||
+           fs::exists(fs::path(path) / "study.toml", ignored);
+}
+
+/// What was named, or everything; a name that is not there is an error.
+template <class Thing>
+std::vector<Thing> chosen(const std::vector<Thing>& all,
+                          const std::vector<std::string>& names,
+                          const std::string& subject,
+                          const char* kind) {
+    std::vector<Thing> found;
+    for (const auto& thing : all)
+        if (names.empty() || std::ranges::find(names, thing.id.value) != names.end())
+            found.push_back(thing);
+    for (const auto& name : names)
+        if (std::ranges::none_of(all, [&](const Thing& thing) { return thing.id.value == name; }))
+            throw CommandError(fmt::format("{}: no {} \"{}\"", subject, kind, name));
+    return found;
+}
+
+/// That of the study's first condition that has one, if nobody says.
+std::string law_for(const Options& options, const protocols::Study& study) {
+    if (!options.law.empty())
+        return options.law;
+    for (const auto& condition : study.conditions)
+        if (const auto* rendering = std::get_if<Rendering>(&condition.source))
+            if (const auto law = rendering->dials.find("law"); law != rendering->dials.end())
+                return std::get<std::string>(law->second);
+    return "physical";
+}
+
+fs::path folder_for(const Options& options, const LoadedStudy& loaded) {
+    if (!options.out.empty())
+        return options.out;
+    return is_study(options.subject) ? loaded.folder.cost() : fs::path(loaded.study.id + "-cost");
+}
+
+cost::Wish wish_of(const Options& options) {
+    cost::Wish wish{.error = *cost::error_kind(options.error)};
+    if (options.tolerance > 0)
+        wish.tolerance = options.tolerance;
+    if (options.budget_ms > 0) {
+        wish.budget_ms = options.budget_ms;
+        wish.tolerance.reset();
+    }
+    return wish;
+}
+
+void check(const Options& options, const std::vector<protocols::Scene>& scenes) {
+    if (const auto& up = options.look.up; !(std::hypot(up[0], up[1], up[2]) > 0))
+        throw CommandError(
+            fmt::format("--up {} {} {}: expected a direction, not all zero", up[0], up[1], up[2]));
+    if (options.tolerance > 0 && options.budget_ms > 0)
+        throw CommandError("--tolerance and --frame-budget: expected one of them");
+    for (const auto& scene : scenes)
+        if (scene.model.empty())
+            throw CommandError(
+                fmt::format("{}: scene \"{}\" has no model, expected one to measure on",
+                            options.subject, scene.id.value));
+}
+
+void run(Options& options) {
+    const auto loaded = is_study(options.subject) ? value_or_stop(read_study(options.subject))
+                                                  : study_of_model(options);
+    const auto scenes = chosen(loaded.study.scenes, options.scenes, options.subject, "scene");
+    const auto variants =
+        chosen(shown_variants(loaded.study), options.variants, options.subject, "variant");
+    check(options, scenes);
+    const auto folder = folder_for(options, loaded);
+    options.measure.law = law_for(options, loaded.study);
+    options.measure.wish = wish_of(options);
+    options.measure.truth.study =
+        is_study(options.subject) ? loaded.folder : StudyFolder{folder / "study"};
+    options.measure.truth.own = folder / "reference";
+    // a slip in the names should not wait for the models
+    value_or_stop(cost::settings_of(options.measure.methods, options.measure.law, true));
+
+    const auto context = value_or_stop(renderer::gpu::Context::surfaceless());
+    options.measure.by_processor =
+        options.time == "processor" ||
+        (options.time == "auto" && renderer::gpu::draws_on_the_processor());
+    cost::CostReport report{.program = PAIRLIGHT_PROGRAM_VERSION,
+                            .renderer = renderer::gpu::description(),
+                            .written_on = session::local_date(session::SystemClock().wall()),
+                            .subject = loaded.study.title,
+                            .law = options.measure.law,
+                            .timed_by = options.measure.by_processor ? "processor" : "clock",
+                            .rounds = options.measure.rounds,
+                            .held_out_lights = options.measure.held_out_lights,
+                            .wish = options.measure.wish,
+                            .scenes = {}};
+    ProgressBar bar("cost", !options.voice.quiet);
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        auto model = value_or_stop(load_model(scenes[i].model, loaded.folder));
+        report.scenes.push_back(value_or_stop(cost::measure_scene(
+            loaded.study, scenes[i], variants, std::move(model), options.measure,
+            [&](const std::string&, double done) {
+                bar.update((static_cast<double>(i) + done) / static_cast<double>(scenes.size()));
+            })));
+    }
+    fmt::print("{}", cost::cost_text(report));
+    options.voice.remark(value_or_stop(cost::write_cost(folder, report)).string());
+}
+
+void add_model_options(CLI::App& command, const std::shared_ptr<Options>& options) {
+    command.add_option("--material", options->look.material, "Of a model: a measured material")
+        ->check(CLI::IsMember(renderer::measured_names()))
+        ->capture_default_str();
+    command.add_option("--diameter-mm", options->look.diameter_mm, "Of a model's bounding sphere")
+        ->check(within(1e-6, 1e6))
+        ->capture_default_str();
+    command.add_option("--turn-degrees", options->look.turn_degrees, "Of a model")
+        ->check(within(-360, 360));
+    command.add_option("--up", options->look.up, "Of a model")->check(within(-1e9, 1e9));
+    command
+        .add_option("--to-light", options->to_light,
+                    "For a model: toward the light, x right, y up, z toward the viewer; without it "
+                    "three lights, from behind, the front and the left")
+        ->check(within(-1e9, 1e9));
+    command
+        .add_option("--frame-size", options->frame_size,
+                    "For a model: pixels along an edge of the frames that are timed")
+        ->check(within(8, 8192))
+        ->capture_default_str();
+}
+
+void add_measuring_options(CLI::App& command, const std::shared_ptr<Options>& options) {
+    auto& measure = options->measure;
+    command.add_option("--methods", measure.methods, "Methods to measure; without it, all");
+    command.add_flag("--presets", measure.presets_only, "Every method at its presets only");
+    command
+        .add_option("--law", options->law,
+                    "Of attenuation; without it, that of the study's conditions")
+        ->check(CLI::IsMember({"paper", "physical"}));
+    command
+        .add_option("--size", measure.size,
+                    "Pixels along the longer edge of the pictures that are compared")
+        ->check(within(8, 8192))
+        ->capture_default_str();
+    command.add_option("--samples", measure.samples, "Of each of their pixels")
+        ->check(within(1, 256))
+        ->capture_default_str();
+    command.add_option("--rounds", measure.rounds, "Of timed frames")
+        ->check(within(1, 1000))
+        ->capture_default_str();
+    command
+        .add_option("--time", options->time,
+                    "How frames are timed: by the processor's time, which others on the machine do "
+                    "not change, or by the clock; auto: the first where the processor draws")
+        ->check(CLI::IsMember({"auto", "processor", "clock"}))
+        ->capture_default_str();
+    command
+        .add_option("--held-out", measure.held_out_lights,
+                    "Directions of light under which thickness is compared")
+        ->check(within(1, 1000))
+        ->capture_default_str();
+    command
+        .add_option("--reference-seconds", measure.truth.seconds,
+                    "For each path-traced picture that is not there yet; 0: do without")
+        ->check(within(0.0, 1e6))
+        ->capture_default_str();
+}
+
+} // namespace
+
+void add_cost(CLI::App& program) {
+    const auto options = std::make_shared<Options>();
+    auto* command = program.add_subcommand(
+        "cost", "Speed against error of every method and its dials, and the setting to take");
+    command
+        ->add_option("STUDY|MODEL", options->subject,
+                     "A study; or a model file, a model's name or a body")
+        ->required();
+    command->add_option("--scene", options->scenes, "Scenes of the study; without it, all");
+    command->add_option("--variant", options->variants, "Variants to measure; without it, all");
+    add_model_options(*command, options);
+    add_measuring_options(*command, options);
+    command
+        ->add_option("--error", options->error,
+                     "Which error the choice goes by: of thickness, of the picture under the same "
+                     "law, or against the path-traced one (at equal brightness, or fitted)")
+        ->check(CLI::IsMember({"thickness", "law", "reference", "fitted"}))
+        ->capture_default_str();
+    command
+        ->add_option("--tolerance", options->tolerance,
+                     "Choose the cheapest setting with at most this error, 0.05 without it")
+        ->check(within(1e-6, 10.0));
+    command
+        ->add_option("--frame-budget", options->budget_ms,
+                     "Choose the least error of the settings that draw a frame in so many ms")
+        ->check(within(1e-3, 1e6));
+    command->add_option("--out", options->out,
+                        "Folder to write; without it, STUDY/cost or <model>-cost");
+    add_voice(*command, options->voice);
+    command->callback([options] { run(*options); });
+}
+
+} // namespace experiment::commands

@@ -1,0 +1,91 @@
+// Sweeps are data of the methods' descriptions; here they only become complete.
+#include "experiment/cost/contestants.h"
+
+#include "protocols/contract.h"
+#include "renderer/methods/attenuation.h"
+#include "renderer/methods/catalogue.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace experiment::cost {
+
+namespace methods = renderer::methods;
+
+using methods::Description;
+using methods::Dials;
+
+namespace {
+
+bool has_law(const Description& method) {
+    return std::ranges::find(method.dials, methods::law_dial().name, &methods::Dial::name) !=
+           method.dials.end();
+}
+
+Setting setting_of(const Description& method, Dials changed, const std::string& law) {
+    std::vector<std::string> words;
+    for (const auto& [dial, value] : changed)
+        words.push_back(fmt::format("{} {}", dial, methods::text_of(value)));
+    if (has_law(method))
+        changed.insert_or_assign(methods::law_dial().name, law);
+    auto dials = methods::complete_for(method.name, changed);
+    EXPECTS(dials.has_value()); // a description knows its own dials: tests go through all of them
+    return {&method, std::move(*dials), fmt::format("{}", fmt::join(words, ", "))};
+}
+
+tl::expected<std::vector<const Description*>, std::string>
+named(const std::vector<std::string>& names) {
+    std::vector<const Description*> found;
+    for (const auto& method : methods::catalogue())
+        if (names.empty() || std::ranges::find(names, method.name) != names.end())
+            found.push_back(&method);
+    for (const auto& name : names)
+        if (methods::find_method(name) == nullptr) {
+            std::vector<std::string> known;
+            for (const auto& method : methods::catalogue())
+                known.push_back(method.name);
+            return tl::unexpected(fmt::format("--methods {}: no method is called so; there are {}",
+                                              name, fmt::join(known, ", ")));
+        }
+    return found;
+}
+
+} // namespace
+
+tl::expected<std::vector<Setting>, std::string>
+settings_of(const std::vector<std::string>& names, const std::string& law, bool presets_only) {
+    const auto found = named(names);
+    if (!found)
+        return tl::unexpected(found.error());
+    std::vector<Setting> settings;
+    for (const auto* method : *found) {
+        settings.push_back(setting_of(*method, {}, law));
+        if (!presets_only)
+            for (const auto& changed : method->sweep)
+                settings.push_back(setting_of(*method, changed, law));
+    }
+    return settings;
+}
+
+Setting preset_of(std::string_view method, const std::string& law) {
+    const auto* description = methods::find_method(method);
+    EXPECTS(description != nullptr);
+    return setting_of(*description, {}, law);
+}
+
+Row row_of(const Contestant& contestant) {
+    const auto& setting = contestant.setting;
+    Row row{.method = setting.method->name,
+            .label = setting.method->label,
+            .dials = {},
+            .setting = setting.words,
+            .precompute_seconds = contestant.precompute_seconds,
+            .lights = {}};
+    for (const auto& [dial, value] : setting.dials)
+        row.dials.emplace(dial, methods::text_of(value));
+    return row;
+}
+
+} // namespace experiment::cost

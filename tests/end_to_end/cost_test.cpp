@@ -1,0 +1,147 @@
+// pairlight cost, from outside, on a torus that is measured in seconds.
+#include "tests/end_to_end/program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace tests;
+using nlohmann::json;
+using testing::HasSubstr;
+
+constexpr const char* study_text = R"([study]
+id       = "costs"
+title    = "A torus"
+question = "Which?"
+seed     = 3
+width    = 64
+height   = 64
+[[scene]]
+id          = "torus"
+model       = "torus"
+material    = "marble"
+diameter_mm = 40
+[[variant]]
+id       = "back"
+to_light = [0, 0.3, -1]
+[[variant]]
+id       = "front"
+to_light = [0, 0.3, 1]
+[[condition]]
+id     = "auto"
+method = "shss"
+bands  = "auto"
+tolerance = 0.02
+[[condition]]
+id     = "phong"
+method = "phong"
+)";
+
+class CostCommand : public testing::Test {
+  protected:
+    void SetUp() override { write_file(folder_ / "study.toml", study_text); }
+
+    Outcome cost(std::vector<std::string> more) const {
+        std::vector<std::string> command{"cost", folder_.path().string(), "--rounds", "2", "--size",
+                                         "48"};
+        command.insert(command.end(), more.begin(), more.end());
+        return pairlight(command);
+    }
+
+    json report() const { return json::parse(read_file(folder_ / "cost/cost.json")); }
+
+    static const json&
+    row(const json& scene, const std::string& method, const std::string& setting) {
+        return *std::ranges::find_if(scene["rows"], [&](const json& one) {
+            return one["method"] == method && one["setting"] == setting;
+        });
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(CostCommand, MeasuresComparesChoosesAndWrites) {
+    const auto done = cost({"--methods", "shss", "traced", "green", "phong", "--reference-seconds",
+                            "1", "--tolerance", "0.2"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    for (const auto* file : {"cost.csv", "cost.html", "figures/cost-torus-back.svg",
+                             "figures/cost-torus-front.pdf", "reference/torus/back.exr"})
+        EXPECT_TRUE(fs::exists(folder_ / "cost" / file)) << file;
+    const auto scene = report()["scenes"][0];
+    EXPECT_EQ(scene["lights"].size(), 2U);
+    const auto& five = row(scene, "shss", "");
+    const auto& one = row(scene, "shss", "bands 1");
+    EXPECT_EQ(five["bytes_per_vertex"], 100);
+    EXPECT_GT(five["precompute_seconds"].get<double>(), 0);
+    EXPECT_GT(five["frame_ms"]["median"].get<double>(), 0);
+    // one number for all directions tells less than 25 coefficients
+    EXPECT_LT(five["thickness"].get<double>(), one["thickness"].get<double>());
+    EXPECT_LT(five["lights"][0]["law"].get<double>(), one["lights"][0]["law"].get<double>());
+    EXPECT_EQ(row(scene, "traced", "")["thickness"], 0.0);
+    EXPECT_EQ(row(scene, "traced", "")["lights"][0]["law"], 0.0);
+    EXPECT_FALSE(row(scene, "phong", "").contains("thickness"));
+    EXPECT_FALSE(row(scene, "phong", "")["lights"][0].contains("law"));
+    EXPECT_GT(row(scene, "phong", "")["lights"][0]["fitted"].get<double>(), 0);
+    EXPECT_GT(scene["lights"][0]["noise_floor"].get<double>(), 0);
+    const auto& choice = scene["lights"][0]["choice"];
+    EXPECT_LE(choice["predicted"].get<double>(), 0.2);
+    EXPECT_LE(choice["measured"].get<double>(), 0.3);
+    EXPECT_THAT(done.out, HasSubstr("Chosen: **" + choice["setting"].get<std::string>() + "**"));
+    EXPECT_THAT(done.out, HasSubstr("Left out: "));
+}
+
+TEST_F(CostCommand, UsesAPathTracedPictureThatIsThere) {
+    fs::create_directories(folder_ / "reference/torus");
+    for (const std::string variant : {"back", "front"})
+        ASSERT_EQ(
+            pairlight({"reference", folder_.path().string(), "--variant", variant, "--seconds", "1",
+                       "--out", (folder_ / ("reference/torus/" + variant + ".exr")).string()})
+                .status,
+            0);
+    const auto done = cost({"--methods", "phong", "--presets", "--error", "fitted",
+                            "--frame-budget", "1000", "--variant", "back"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    const auto light = report()["scenes"][0]["lights"][0];
+    EXPECT_EQ(light["width"], 64); // the study's, whatever --size says
+    EXPECT_THAT(light["reference"].get<std::string>(), HasSubstr("reference/torus/back.exr"));
+    EXPECT_FALSE(fs::exists(folder_ / "cost/reference"));
+    EXPECT_FALSE(light["choice"].contains("measured"));
+}
+
+TEST_F(CostCommand, SaysWhatCannotBe) {
+    EXPECT_THAT(cost({"--methods", "shs"}).err, HasSubstr("--methods shs: no method is called so"));
+    EXPECT_THAT(cost({"--scene", "cube"}).err, HasSubstr("no scene \"cube\""));
+    EXPECT_THAT(cost({"--variant", "top"}).err, HasSubstr("no variant \"top\""));
+    EXPECT_THAT(cost({"--tolerance", "nan"}).err, HasSubstr("nan is not a number from"));
+    EXPECT_THAT(cost({"--tolerance", "0.1", "--frame-budget", "3"}).err,
+                HasSubstr("expected one of them"));
+    for (const auto& words : std::vector<std::vector<std::string>>{
+             {"--methods", "shs"}, {"--scene", "cube"}, {"--error", "speed"}, {"--rounds", "0"}})
+        EXPECT_NE(cost(words).status, 0) << words[0];
+    EXPECT_NE(pairlight({"cost", "no-such-model"}).status, 0);
+}
+
+// Reckoned beforehand and measured afterwards, on a smooth body: within a fifth of each other.
+TEST_F(CostCommand, TheManifestHasTheChoiceWithItsErrorReckonedAndMeasured) {
+    const auto rendered = pairlight({"render", folder_.path().string()});
+    ASSERT_EQ(rendered.status, 0) << rendered.err;
+    const auto manifest = json::parse(read_file(folder_ / "stimuli/manifest.json"));
+    int checked = 0;
+    for (const auto& picture : manifest["pictures"]) {
+        if (picture["condition"] != "auto") {
+            EXPECT_FALSE(picture.contains("predicted_change"));
+            continue;
+        }
+        EXPECT_THAT(picture["decision"].get<std::string>(), HasSubstr("bands"));
+        EXPECT_LE(picture["predicted_change"].get<double>(), 0.02);
+        EXPECT_LE(picture["measured_change"].get<double>(), 1.2 * 0.02);
+        ++checked;
+    }
+    EXPECT_EQ(checked, 2);
+}
+
+} // namespace
