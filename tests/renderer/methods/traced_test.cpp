@@ -60,9 +60,10 @@ TEST_F(Traced, RefusesNearLights) {
 }
 
 TEST_F(Traced, RefusesAMeshWithoutAnInside) {
-    auto open = torus_;
-    open.triangles.pop_back();
-    EXPECT_FALSE(methods::prepare_traced({}, *methods::Surface::upload(open), open, nullptr));
+    auto turned = torus_;
+    for (auto& [a, b, c] : turned.triangles)
+        std::swap(b, c);
+    EXPECT_FALSE(methods::prepare_traced({}, *methods::Surface::upload(turned), turned, nullptr));
 }
 
 } // namespace
