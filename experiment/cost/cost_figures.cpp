@@ -21,8 +21,8 @@ using report::gnuplot_string;
 namespace {
 
 constexpr int width = 1080, height = 400;
-constexpr double legend = 0.77;      // of the width: where the panels end
-constexpr double least_shown = 0.01; // percent: logarithms have no zero
+constexpr double legend = 0.77;     // of the width: where the panels end
+constexpr double least_shown = 0.1; // percent: logarithms have no zero
 
 constexpr std::array colours{"#2d618c", "#c2571a", "#3f8f4f", "#8a4fa3", "#b08a1e", "#c23b60",
                              "#1f8a8a", "#6b7178", "#7a5230", "#4a4fb5", "#98a13a", "#222222"};
@@ -49,6 +49,22 @@ std::string look(std::size_t method) {
 std::string point(const Row& row, std::size_t light, ErrorKind kind) {
     return fmt::format("{} {}\n", report::number_or_nan(row.frame_ms.median),
                        report::number_or_nan(shown(error_of(row, light, kind))));
+}
+
+/// A hair more than the points of a panel need, so that none lies on the frame.
+std::string ranges(const SceneCost& scene, std::size_t light, ErrorKind kind) {
+    double left = INFINITY, right = 0, low = INFINITY, high = 0;
+    for (const auto& row : scene.rows) {
+        const double x = row.frame_ms.median, y = shown(error_of(row, light, kind));
+        if (std::isnan(error_of(row, light, kind)))
+            continue;
+        left = std::min(left, x);
+        right = std::max(right, x);
+        low = std::min(low, y);
+        high = std::max(high, y);
+    }
+    return fmt::format("set xrange [{:.4g}:{:.4g}]\nset yrange [{:.4g}:{:.4g}]\n", left / 1.3,
+                       right * 1.5, low / 1.3, high * 1.4);
 }
 
 std::string_view title_of(ErrorKind kind) {
@@ -96,8 +112,9 @@ std::string panel(const SceneCost& scene, std::size_t light, ErrorKind kind, boo
         plots += fmt::format(", $chosen using 1:2 with points pt 6 ps 2.2 lw 2 lc rgb '{}'",
                              report::ink);
     }
-    return fmt::format("unset label\nset title {}\n", gnuplot_string(title_of(kind))) + data +
-           labels + "plot $front using 1:2 with steps lw 1.2 lc rgb '#9aa1a8'" + plots + "\n";
+    return fmt::format("unset label\nset title {}\n", gnuplot_string(title_of(kind))) +
+           ranges(scene, light, kind) + data + labels +
+           "plot $front using 1:2 with steps lw 1.2 lc rgb '#9aa1a8'" + plots + "\n";
 }
 
 std::string legend_script(const SceneCost& scene, bool with_choice) {
@@ -173,15 +190,14 @@ front_script(const SceneCost& scene, std::size_t light, const Wish& wish, Figure
                           gnuplot_string(scene.label + ", " + scene.lights[light].label));
     script += "set logscale xy\nset format xy '%g'\nset border 3\nset tics out font ',11'\n"
               "set grid xtics ytics lc rgb '#e3e6e8' lt 1 lw 0.5 back\n"
-              "set offsets graph 0.06, graph 0.1, graph 0.06, graph 0.06\n"
               "set tmargin at screen 0.80\nset bmargin at screen 0.16\n"
               "set xlabel 'ms a frame' font ',11'\nset title font ',12'\n";
     const double step = legend / static_cast<double>(kinds.size());
     for (std::size_t p = 0; p < kinds.size(); ++p) {
         const double left = step * static_cast<double>(p);
         script += fmt::format("set lmargin at screen {:.3f}\nset rmargin at screen {:.3f}\n",
-                              left + 0.062, left + step - 0.012);
-        script += p == 0 ? "set ylabel 'error, %' offset 1,0 font ',11'\n" : "unset ylabel\n";
+                              left + 0.07, left + step - 0.012);
+        script += p == 0 ? "set ylabel 'error, %' offset 2,0 font ',11'\n" : "unset ylabel\n";
         script += panel(scene, light, kinds[p], kinds[p] == wish.error);
     }
     return script + legend_script(scene, scene.lights[light].choice.has_value()) +

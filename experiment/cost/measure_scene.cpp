@@ -12,6 +12,7 @@
 #include "renderer/harmonics/directions.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/errors.h"
+#include "renderer/imaging/flip.h"
 #include "renderer/methods/body_radiance.h"
 #include "renderer/methods/catalogue.h"
 #include "renderer/methods/choice_change.h"
@@ -76,6 +77,15 @@ LinearImage sum_of(const std::array<LinearImage, 4>& terms, const renderer::Refl
         sum.pixels[i] = light;
     }
     return sum;
+}
+
+double
+mean_flip(const LinearImage& test, const LinearImage& truth, const std::vector<std::size_t>& mask) {
+    const auto flip = imaging::ldr_flip(test, truth, imaging::default_pixels_per_degree);
+    double sum = 0;
+    for (const auto i : mask)
+        sum += static_cast<double>(flip.values[i]);
+    return sum / static_cast<double>(mask.size());
 }
 
 /// In this order one traced field serves whoever wants as many bands or fewer.
@@ -378,13 +388,9 @@ Measurement::errors_of(methods::Method& method, const Lit& lit, bool has_law) {
     const auto gain = imaging::brightness_gain(*image, truth, lit.mask);
     if (!gain)
         return tl::unexpected(gain.error());
-    errors.reference =
-        renderer::cost::relative_rms(imaging::brightened(*image, *gain), truth, lit.mask);
-    const auto measures = imaging::image_errors(*image, truth, lit.mask,
-                                                {.brightness = imaging::Brightness::Equalised});
-    if (!measures)
-        return tl::unexpected(measures.error());
-    errors.flip = measures->ldr_flip;
+    const auto bright = imaging::brightened(*image, *gain);
+    errors.reference = renderer::cost::relative_rms(bright, truth, lit.mask);
+    errors.flip = mean_flip(bright, truth, lit.mask);
     return errors;
 }
 
@@ -404,9 +410,15 @@ Expected<void> Measurement::add_fitted(methods::Method& method, Row& row) {
         terms.push_back(std::move(*drawn));
     }
     const auto best = fit.best().reflectance;
-    for (std::size_t i = 0; i < lit_.size(); ++i)
-        row.lights[i].fitted = renderer::cost::relative_rms(sum_of(terms[i], best),
-                                                            lit_[i].truth->image, lit_[i].mask);
+    for (std::size_t i = 0; i < lit_.size(); ++i) {
+        const auto image = sum_of(terms[i], best);
+        const auto& truth = lit_[i].truth->image;
+        const auto gain = imaging::brightness_gain(image, truth, lit_[i].mask);
+        if (!gain)
+            return tl::unexpected(gain.error());
+        row.lights[i].fitted =
+            renderer::cost::relative_rms(imaging::brightened(image, *gain), truth, lit_[i].mask);
+    }
     return {};
 }
 

@@ -116,6 +116,7 @@ std::vector<Dials> settings_worth_measuring() {
             settings.push_back(std::move(more));
     };
     add({{"bands", {2, 3}}}, {{"coefficients", "int8"}});
+    add({{"tolerance", {0.05, 0.1}}}, {{"bands", "auto"}});
     add({{"thickness", {"first", "span"}}}, {{"directions", 256}});
     return settings;
 }

@@ -81,6 +81,7 @@ void coefficients_and_light(const std::string& model,
             line.percent.push_back(error);
         }
         fmt::print("\n");
+        std::fflush(stdout); // a run that is cut short leaves what it has
         if (law == "paper")
             lines.push_back(std::move(line));
     }
@@ -96,9 +97,9 @@ void concave_bodies() {
         "\n| body | SHSS 4 | SHSS 25 | SHSS 36 | Green | Green, peeled |\n|---|---|---|---|---|"
         "---|\n");
     std::vector<Body> bodies;
-    bodies.push_back({"sphere (convex)", geometry::sphere(1, 5)});
-    bodies.push_back({"torus", geometry::torus(2, 1, 192, 96)});
-    bodies.push_back({"shell, cavity half as wide", geometry::shell(1, 0.5, 5)});
+    bodies.push_back({"sphere (convex)", geometry::sphere(1, 4)});
+    bodies.push_back({"torus", geometry::torus(2, 1, 128, 64)});
+    bodies.push_back({"shell, cavity half as wide", geometry::shell(1, 0.5, 4)});
     for (const auto& body : bodies) {
         auto scene = scene_of(body.mesh, size, size);
         const Workbench workbench(body.mesh, scene, 1024);
@@ -128,6 +129,7 @@ void concave_bodies() {
             fmt::print(" {:.1f} % |", 100 * cost::relative_rms(seen, truth));
         }
         fmt::print("\n");
+        std::fflush(stdout); // a run that is cut short leaves what it has
     }
 }
 
@@ -167,7 +169,7 @@ std::vector<Growth> lights_in_numbers(const std::string& model, const geometry::
     scene.lights.clear();
     for (const auto& direction : around) {
         scene.lights.push_back({DirectionalLight{direction}, {0.2F, 0.2F, 0.2F}});
-        const auto times = value_or_throw(cost::take_turns(turns, scene, target, {.rounds = 7}));
+        const auto times = value_or_throw(cost::take_turns(turns, scene, target, {.rounds = 5}));
         for (std::size_t k = 0; k < all.size(); ++k)
             all[k].ms.push_back(1000 * cost::quantile(times[k].processor, 0.5));
     }
@@ -177,6 +179,7 @@ std::vector<Growth> lights_in_numbers(const std::string& model, const geometry::
         for (const double ms : growth.ms)
             fmt::print(" {:.2f} |", ms);
         fmt::print(" {:.2f} + {:.2f} k | {:.3f} |\n", start, slope, explained);
+        std::fflush(stdout);
     }
     return all;
 }
@@ -192,7 +195,7 @@ void bands_and_frames(const std::string& model, const geometry::Mesh& mesh) {
             methods.push_back(workbench.prepare("shss", {{"bands", bands}}));
             turns.push_back({methods.back().get(), moves});
         }
-    const auto times = value_or_throw(cost::take_turns(turns, scene, target, {.rounds = 15}));
+    const auto times = value_or_throw(cost::take_turns(turns, scene, target, {.rounds = 11}));
     for (const std::size_t first : {std::size_t{0}, std::size_t{6}}) {
         fmt::print("| {} | {} | {:.2f} |", model, first == 0 ? "moves" : "rests",
                    1000 * cost::quantile(times[first].processor, 0.5));
@@ -202,6 +205,7 @@ void bands_and_frames(const std::string& model, const geometry::Mesh& mesh) {
             fmt::print(" {:.3f} ({:.3f}-{:.3f}) |", ratio.median, ratio.lower, ratio.upper);
         }
         fmt::print("\n");
+        std::fflush(stdout); // a run that is cut short leaves what it has
     }
 }
 
@@ -265,7 +269,7 @@ void run(const std::string& figure, const std::vector<std::string>& models) {
         gpu::description());
     for (std::size_t i = 0; i < models.size(); ++i) {
         const auto scene = scene_of(meshes[i], size, size);
-        const Workbench workbench(meshes[i], scene, 1024);
+        const Workbench workbench(meshes[i], scene, 512);
         for (const std::string law : {"paper", "physical"})
             coefficients_and_light(models[i], workbench, scene, law, lines);
     }

@@ -80,7 +80,7 @@ Series precomputation_with_vertices() {
     for (const int vertices : {2'000, 8'000, 32'000, 128'000}) {
         const auto mesh = ring(vertices);
         series.points.push_back(
-            {vertices_of(mesh), seconds_of([&] { traced(mesh, 128); }, vertices > 9000 ? 1 : 3)});
+            {vertices_of(mesh), seconds_of([&] { traced(mesh, 64); }, vertices > 9000 ? 1 : 3)});
     }
     return series;
 }
@@ -88,7 +88,7 @@ Series precomputation_with_vertices() {
 Series precomputation_with_directions() {
     Series series{"precomputation", "directions", "s", {}};
     const auto mesh = ring(8'000);
-    for (const int directions : {64, 256, 1024, 4096})
+    for (const int directions : {64, 256, 1024, 2048})
         series.points.push_back(
             {static_cast<double>(directions),
              seconds_of([&] { traced(mesh, directions); }, directions > 300 ? 1 : 3)});
@@ -118,7 +118,7 @@ double frame_ms(const geometry::Mesh& mesh, int size) {
 
 Series frames_with_vertices() {
     Series series{"frame, light moving", "vertices", "ms", {}};
-    for (const int vertices : {2'000, 8'000, 32'000, 128'000, 512'000}) {
+    for (const int vertices : {2'000, 8'000, 32'000, 128'000}) {
         const auto mesh = ring(vertices);
         series.points.push_back({vertices_of(mesh), frame_ms(mesh, 480)});
     }
@@ -148,7 +148,7 @@ double reference_seconds(const geometry::Mesh& mesh, int size) {
 Series reference_with_pixels() {
     Series series{"reference, a batch", "pixels", "s", {}};
     const auto mesh = ring(8'000);
-    for (const int size : {24, 48, 96, 192})
+    for (const int size : {16, 32, 64, 128})
         series.points.push_back({static_cast<double>(size) * size, reference_seconds(mesh, size)});
     return series;
 }
@@ -157,7 +157,7 @@ Series reference_with_vertices() {
     Series series{"reference, a batch", "vertices", "s", {}};
     for (const int vertices : {2'000, 8'000, 32'000, 128'000}) {
         const auto mesh = ring(vertices);
-        series.points.push_back({vertices_of(mesh), reference_seconds(mesh, 64)});
+        series.points.push_back({vertices_of(mesh), reference_seconds(mesh, 48)});
     }
     return series;
 }
@@ -186,7 +186,7 @@ double lines_of(const std::string& text) {
 
 Series analysis_with_votes() {
     Series series{"analysis, four conditions", "votes", "s", {}};
-    for (const int scenes : {16, 64, 256, 1024, 4096}) {
+    for (const int scenes : {16, 64, 256, 1024}) {
         const auto text = votes_of(4, scenes);
         series.points.push_back({lines_of(text), analysis_seconds(text)});
     }
@@ -203,7 +203,7 @@ Series analysis_with_conditions() {
 
 Series memory_with_votes() {
     Series series{"memory of a vote table", "votes", "MB", {}};
-    for (const int scenes : {64, 256, 1024, 4096}) {
+    for (const int scenes : {64, 256, 1024, 2048}) {
         const auto text = votes_of(4, scenes);
         const double before = heap_bytes();
         const auto table = value_or_throw(analysis::read_votes_csv(text, "votes"));
