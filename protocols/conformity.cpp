@@ -129,6 +129,10 @@ void add_session(Lines& lines, const Study& study) {
                                  plan.training, plan.training < 4 ? ", expected 4 or more" : "")});
     lines.push_back({"training pictures other than those of the session", Verdict::NotMet,
                      "practice pairs are drawn from the session's own"});
+    const bool both = plan.easy_pair && plan.hard_pair && plan.training >= 2;
+    lines.push_back({"training over the whole range of differences", met_if(both),
+                     both ? "an easy and a hard pair are in it"
+                          : "easy_pair and hard_pair in [session] name one of each for it"});
     lines.push_back({"a session of at most 30 minutes", met_if(minutes <= 30),
                      fmt::format("about {:.0f} minutes", minutes)});
     lines.push_back({"stabilising trials that are not counted, about 5 first and 3 later",

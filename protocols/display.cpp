@@ -89,6 +89,26 @@ std::optional<Surround> surround_of(const std::string& definition, const Eotf& e
     return std::nullopt;
 }
 
+std::string text_of(const Room& room) {
+    std::string text;
+    const auto add = [&](std::string_view name, const std::string& value) {
+        text += fmt::format("{}{}={}", text.empty() ? "" : "; ", name, value);
+    };
+    const auto add_figure = [&](std::string_view name, std::optional<double> value) {
+        if (value)
+            add(name, fmt::format("{}", *value));
+    };
+    add_figure("peak_cd_m2", room.peak_cd_m2);
+    add_figure("black_ratio", room.black_ratio);
+    add_figure("screen_off_ratio", room.screen_off_ratio);
+    add_figure("background_ratio", room.background_ratio);
+    add_figure("ambient_lux", room.ambient_lux);
+    add_figure("max_angle_deg", room.max_angle_deg);
+    if (!room.background_white.empty())
+        add("background_white", room.background_white);
+    return text;
+}
+
 double pixels_per_degree(double distance_mm, double pixel_pitch_mm) {
     EXPECTS(distance_mm > 0 && pixel_pitch_mm > 0);
     return std::numbers::pi / 180 * distance_mm / pixel_pitch_mm;

@@ -67,6 +67,9 @@ struct Room {
     std::string background_white;           ///< of the wall, such as "D65"
 };
 
+/// What is recorded of it, "peak_cd_m2=120; black_ratio=0.01"; "" where nothing is.
+std::string text_of(const Room& room);
+
 /// pi/180 d / p, the tangent of a small angle.  EXPECTS positive numbers.
 double pixels_per_degree(double distance_mm, double pixel_pitch_mm);
 

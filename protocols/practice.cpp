@@ -24,7 +24,8 @@ std::vector<std::size_t> draw_practice(std::span<const Question> questions,
                                        std::span<const std::size_t> pool,
                                        int count,
                                        std::optional<int> next_scene,
-                                       Rng& rng) {
+                                       Rng& rng,
+                                       const Wanted& wanted) {
     EXPECTS(count == 0 || !pool.empty());
     std::vector<std::size_t> items;
     while (items.size() < static_cast<std::size_t>(count))
@@ -50,6 +51,12 @@ std::vector<std::size_t> draw_practice(std::span<const Question> questions,
             });
         if (last == items.begin())
             last = items.end();
+        if (const auto here = wanted.find(after_this); here != wanted.end())
+            if (const auto last_wanted = std::stable_partition(
+                    items.begin(), last,
+                    [&](std::size_t item) { return here->second(questions[item]); });
+                last_wanted != items.begin())
+                last = last_wanted;
         const auto place =
             items.begin() + static_cast<std::ptrdiff_t>(
                                 draw_below(rng, static_cast<std::uint64_t>(last - items.begin())));

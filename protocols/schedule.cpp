@@ -77,6 +77,29 @@ draw_all_sides(std::span<const Question> questions, int repetitions, Rng& rng) {
     return sides;
 }
 
+/// Places of the training for the easy and the hard pair, where the study names them and there is
+/// room; the easy one comes first where there is room for one only.
+Wanted draw_wanted(const Study& study, Rng& rng) {
+    std::vector<int> places(static_cast<std::size_t>(study.plan.training));
+    std::iota(places.begin(), places.end(), 0);
+    Wanted wanted;
+    for (const auto& pair : {study.plan.easy_pair, study.plan.hard_pair}) {
+        if (!pair || places.empty())
+            continue;
+        const auto chosen =
+            places.begin() + static_cast<std::ptrdiff_t>(draw_below(rng, places.size()));
+        wanted[*chosen] = [&study, pair](const Question& question) {
+            const auto named = [&](int condition) {
+                return std::count(pair->begin(), pair->end(),
+                                  study.conditions[static_cast<std::size_t>(condition)].id) > 0;
+            };
+            return named(question.first) && named(question.second);
+        };
+        places.erase(chosen);
+    }
+    return wanted;
+}
+
 struct WarmUps {
     std::vector<std::size_t> questions;
     bool gives_main_trials_away = false;
@@ -133,7 +156,10 @@ Side draw_side(Rng& rng) {
 
 } // namespace
 
-Expected<Schedule> make_schedule(const Study& study, const ObserverId& observer, int session) {
+Expected<Schedule> make_schedule(const Study& study,
+                                 const ObserverId& observer,
+                                 int session,
+                                 const std::optional<ObserverId>& partner) {
     const auto& plan = study.plan;
     if (session < 1 || session > plan.sessions)
         return tl::unexpected(fmt::format("study '{}' has no session {}, expected 1 to {}",
@@ -153,12 +179,12 @@ Expected<Schedule> make_schedule(const Study& study, const ObserverId& observer,
         orders.push_back(draw_order(study, observer, number, questions, orders));
     const auto& main = orders.back().order.questions;
 
-    const bool mirrored = session % 2 == 0; // of the session before
-    const auto sides_seed =
-        stream_seed(study, observer, mirrored ? session - 1 : session, Purpose::Sides);
+    const bool is_even = session % 2 == 0; // it mirrors the session before
+    const auto sides_seed = stream_seed(study, partner.value_or(observer),
+                                        is_even ? session - 1 : session, Purpose::Sides);
     Rng sides_rng(sides_seed);
     auto sides = draw_all_sides(questions, plan.repetitions, sides_rng);
-    if (mirrored)
+    if (is_even != partner.has_value())
         std::for_each(sides.begin(), sides.end(), mirror);
 
     Rng warm_up_rng(stream_seed(study, observer, session, Purpose::WarmUp));
@@ -169,7 +195,8 @@ Expected<Schedule> make_schedule(const Study& study, const ObserverId& observer,
     std::iota(all.begin(), all.end(), std::size_t{0});
 
     Schedule schedule;
-    for (const auto i : draw_practice(questions, all, plan.training, {}, training_rng))
+    const auto wanted = draw_wanted(study, training_rng);
+    for (const auto i : draw_practice(questions, all, plan.training, {}, training_rng, wanted))
         append(schedule, Phase::Training, trial(study, questions[i], draw_side(training_rng)));
     for (const auto i : warm_ups.questions)
         append(schedule, Phase::WarmUp, trial(study, questions[i], draw_side(warm_up_rng)));

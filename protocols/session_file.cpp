@@ -98,6 +98,16 @@ Enum read_word(Section& section,
                                 : words[static_cast<std::size_t>(found - names.begin())].second;
 }
 
+std::optional<ConditionPair> read_pair(Section& section, const char* key) {
+    if (!section.has(key))
+        return std::nullopt;
+    const auto names = section.several(key);
+    if (names.size() == 2 && names[0] != names[1])
+        return ConditionPair{ConditionId{names[0]}, ConditionId{names[1]}};
+    section.refuse(key, "the ids of two conditions, such as [\"first\", \"second\"]");
+    return std::nullopt;
+}
+
 SessionPlan read_plan(Section section) {
     SessionPlan plan;
     section.whole("sessions", {1, 100}, plan.sessions);
@@ -113,6 +123,10 @@ SessionPlan read_plan(Section section) {
     section.whole("view_ms", {0, 600000}, plan.view_ms);
     section.whole("between_ms", {0, 60000}, plan.between_ms);
     section.whole("longest_minutes", {0, 600}, plan.longest_minutes);
+    section.whole("deadline_s", {0, 600}, plan.deadline_s);
+    plan.after_deadline = read_word<AfterDeadline>(
+        section, "after_deadline",
+        {{"again", AfterDeadline::Again}, {"missing", AfterDeadline::Missing}});
     plan.response = read_word<Response>(section, "response",
                                         {{"forced-choice", Response::ForcedChoice},
                                          {"not-sure", Response::WithNotSure},
@@ -126,6 +140,8 @@ SessionPlan read_plan(Section section) {
                                      "expected how long each of them is seen");
     if (const auto reference = section.text("reference", ""); !reference.empty())
         plan.reference = ConditionId{reference};
+    plan.easy_pair = read_pair(section, "easy_pair");
+    plan.hard_pair = read_pair(section, "hard_pair");
     section.expect_nothing_else();
     return plan;
 }
@@ -226,13 +242,23 @@ void read_session_tables(Section& file, Study& study) {
     read_panel(file, study.panel);
 }
 
-void expect_known_reference(Section& file, const Study& study) {
+void expect_known_conditions(Section& file, const Study& study) {
     const auto& reference = study.plan.reference;
-    if (reference && std::none_of(study.conditions.begin(), study.conditions.end(),
-                                  [&](const auto& each) { return each.id == *reference; }))
+    const auto is_known = [&](const ConditionId& id) {
+        return std::any_of(study.conditions.begin(), study.conditions.end(),
+                           [&](const auto& each) { return each.id == id; });
+    };
+    if (reference && !is_known(*reference))
         file.note("session", fmt::format("reference '{}' in [session] is no [[condition]] of this "
                                          "study, expected the id of one",
                                          reference->value));
+    for (const auto& pair : {study.plan.easy_pair, study.plan.hard_pair})
+        for (const auto& id : pair.value_or(ConditionPair{}))
+            if (pair && (!is_known(id) || id == reference))
+                file.note("session", fmt::format("'{}' in easy_pair or hard_pair of [session] is "
+                                                 "never compared, expected the id of a "
+                                                 "[[condition]] that is",
+                                                 id.value));
 }
 
 } // namespace protocols

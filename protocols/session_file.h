@@ -11,6 +11,6 @@ namespace protocols {
 void read_session_tables(Section& file, Study& study);
 
 /// Notes a reference that is no condition of the study.  Once the conditions are read.
-void expect_known_reference(Section& file, const Study& study);
+void expect_known_conditions(Section& file, const Study& study);
 
 } // namespace protocols

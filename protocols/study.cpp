@@ -15,6 +15,13 @@ std::vector<Variant> shown_variants(const Study& study) {
     return study.variants.empty() ? std::vector<Variant>{Variant{}} : study.variants;
 }
 
+std::map<SceneId, PictureSize> picture_sizes(const Study& study) {
+    std::map<SceneId, PictureSize> sizes;
+    for (const auto& scene : study.scenes)
+        sizes[scene.id] = scene.size.value_or(PictureSize{study.width, study.height});
+    return sizes;
+}
+
 std::string picture_path(const Picture& picture) {
     const auto folder = picture.variant.value.empty()
                             ? picture.scene.value

@@ -79,6 +79,11 @@ struct OwnMaterial {
     int line = 0;
 };
 
+struct PictureSize {
+    int width = 0, height = 0; ///< pixels
+    bool operator==(const PictureSize&) const = default;
+};
+
 /// A named analytic body or a model file, and how it is looked at.
 struct Scene {
     SceneId id;
@@ -94,6 +99,8 @@ struct Scene {
         {};                      ///< of the model's coordinates; instead of `diameter_mm`
     std::string material;        ///< one of the study's own, or a measured one, by name
     bool may_have_holes = false; ///< inside is then where the model winds more than half around
+    /// Of its pictures, where they are all made elsewhere; otherwise the study's.
+    std::optional<PictureSize> size = {};
     int line = 0;
 };
 
@@ -129,6 +136,14 @@ enum class Response {
 /// is the one that the plan calls left.
 enum class Presentation { SideBySide, Sequential, Flip };
 
+/// What becomes of a pair whose `deadline_s` has passed without an answer.
+enum class AfterDeadline {
+    Again,  ///< it comes once more, later; what is not answered then stays unanswered
+    Missing ///< it stays unanswered
+};
+
+using ConditionPair = std::array<ConditionId, 2>;
+
 struct SessionPlan {
     int sessions = 3;     ///< sittings of one observer
     int days_apart = 1;   ///< least distance of two sittings, in local calendar days
@@ -142,11 +157,16 @@ struct SessionPlan {
     int gap_px = 32;      ///< grey between the two pictures
     int view_ms = 0; ///< how long a pair, or each of its pictures in turn, is seen; 0: no limit
     int between_ms = 500;     ///< grey between two pictures that come in turn
+    int deadline_s = 0;       ///< for an answer, from the onset; 0: none
     int longest_minutes = 30; ///< of a sitting, then the experimenter is asked; 0: no limit
+    AfterDeadline after_deadline = AfterDeadline::Again;
     Response response = Response::ForcedChoice;
     Presentation presentation = Presentation::SideBySide;
     /// The condition that is shown beside every pair and never compared.
     std::optional<ConditionId> reference;
+    /// Pairs thought to differ most and least, for practice: each is in the training, where that
+    /// has room for it.
+    std::optional<ConditionPair> easy_pair, hard_pair;
 };
 
 /// The file of the instructions, relative to the study folder; UTF-8, pages separated by lines of
@@ -161,7 +181,7 @@ struct Study {
     std::string title;
     std::string question; ///< what the observer is asked, on the pages and in the report
     std::uint64_t seed = 0;
-    int width = 0, height = 0; ///< of each picture, pixels
+    int width = 0, height = 0; ///< of each picture, pixels, where its scene says nothing else
     Surround surround;
     Display display;
     Room room;
@@ -202,6 +222,9 @@ const OwnMaterial* own_material(const Study& study, std::string_view name);
 
 /// The variants to show: those of the file, or the single nameless one.
 std::vector<Variant> shown_variants(const Study& study);
+
+/// How large the pictures of each scene are.
+std::map<SceneId, PictureSize> picture_sizes(const Study& study);
 
 /// Path of a picture below the stimuli folder without its extension: "scene/variant/condition" or
 /// "scene/condition".

@@ -158,6 +158,23 @@ void read_size(Section& section, Scene& scene) {
                                     "one: either gives the model's size");
 }
 
+// Rendered pictures have one size, for what they cost to be compared.
+void read_picture_size(Section& section, Scene& scene, Pictures pictures) {
+    const bool has_width = section.has("width"), has_height = section.has("height");
+    if (!has_width && !has_height)
+        return;
+    const auto* given = has_width ? "width" : "height";
+    if (pictures == Pictures::Rendered)
+        section.note(given, fmt::format("'{}' in [[scene]] of a study that renders, expected the "
+                                        "size of all its pictures in [study]",
+                                        given));
+    else if (has_width != has_height)
+        section.note(given, "one of 'width' and 'height' in [[scene]], expected both or neither");
+    else
+        scene.size = PictureSize{static_cast<int>(section.whole("width", {16, 16384})),
+                                 static_cast<int>(section.whole("height", {16, 16384}))};
+}
+
 /// `materials`: the names a scene may use.
 Scene read_scene(Section section, const std::vector<std::string>& materials, Pictures pictures) {
     const auto missing =
@@ -173,6 +190,7 @@ Scene read_scene(Section section, const std::vector<std::string>& materials, Pic
     section.number("elevation_degrees", {-90, 90}, scene.elevation_degrees);
     scene.up = section.direction("up", scene.up);
     read_size(section, scene);
+    read_picture_size(section, scene, pictures);
     scene.material = section.one_of("material", materials, missing);
     scene.may_have_holes = section.one_of("holes", {"refuse", "winding"}, "refuse") == "winding";
     section.expect_nothing_else();
@@ -269,7 +287,7 @@ Study read_study(const Table& root, const KnownNames& known, Problems& problems)
     expect_own_ids(study.materials, "material", problems);
     expect_own_ids(study.scenes, "scene", problems);
     expect_own_ids(study.variants, "variant", problems);
-    expect_known_reference(file, study);
+    expect_known_conditions(file, study);
     if (problems.first())
         return study; // what follows may only be missing because it could not be read
     if (study.conditions.size() < (study.plan.reference ? 3 : 2))

@@ -5,6 +5,7 @@
 #include "experiment/commands/commands.h"
 #include "experiment/commands/steps.h"
 #include "experiment/commands/within.h"
+#include "experiment/store/screened.h"
 #include "experiment/text_files.h"
 
 #include <CLI/CLI.hpp>
@@ -71,6 +72,19 @@ void check_groups(const analysis::VoteTable& table, const Options& options) {
                 fmt::format("{}: observer '{}' has no group", options.groups, observer));
 }
 
+/// Of a table made elsewhere, all observers count: it does not say who was screened.
+std::string informal_line(const VoteSource& votes) {
+    auto observers = votes.table.observers.names().size();
+    if (votes.study) {
+        const auto store = value_or_stop(open_whole_votes(votes.study->folder));
+        observers = value_or_stop(store::screened_observers(*store)).size();
+    }
+    return observers < store::formal_observers
+               ? fmt::format("\nAn informal study (fewer than {} observers{}), by ITU-R BT.500.\n",
+                             store::formal_observers, votes.study ? " passed a screening" : "")
+               : "";
+}
+
 void run(Options& options) {
     auto votes = value_or_stop(
         read_votes(options.source, options.format,
@@ -85,7 +99,7 @@ void run(Options& options) {
     if (!options.json.empty())
         deliver(analysis::findings_json(findings), options.json, options.source);
     if (!options.voice.quiet || options.json.empty())
-        fmt::print("{}", analysis::findings_text(findings));
+        fmt::print("{}{}", analysis::findings_text(findings), informal_line(votes));
 }
 
 } // namespace

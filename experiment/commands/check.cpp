@@ -4,6 +4,7 @@
 #include "experiment/read_study.h"
 #include "experiment/session/words.h"
 #include "experiment/stimuli/freshness.h"
+#include "experiment/store/screened.h"
 #include "experiment/store/sqlite_store.h"
 #include "protocols/conformity.h"
 #include "protocols/questions.h"
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <set>
 
 namespace experiment::commands {
 
@@ -54,13 +54,7 @@ std::optional<int> screened_so_far(const LoadedStudy& loaded) {
     if (!std::filesystem::exists(loaded.folder.votes()))
         return std::nullopt;
     const auto store = value_or_stop(store::open_votes(loaded.folder.votes()));
-    std::set<protocols::ObserverId> screened;
-    for (const auto& sitting : value_or_stop(store->sittings()))
-        if (!sitting.simulation && sitting.finished_utc)
-            for (const auto& answer : value_or_stop(store->answers(sitting.key.observer)))
-                if (answer.question == "screening" && answer.answer == "passed")
-                    screened.insert(sitting.key.observer);
-    return static_cast<int>(screened.size());
+    return static_cast<int>(value_or_stop(store::screened_observers(*store)).size());
 }
 
 /// ITU-R BT.500, line by line.

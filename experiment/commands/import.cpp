@@ -3,6 +3,7 @@
 #include "experiment/commands/tone_curve.h"
 #include "experiment/commands/within.h"
 #include "experiment/read_study.h"
+#include "experiment/stimuli/own_images.h"
 #include "experiment/stimuli/scene_renderer.h"
 #include "experiment/text_files.h"
 #include "protocols/digest.h"
@@ -93,11 +94,7 @@ void run(const Options& options) {
                 const auto file = source_of(options.from, picture);
                 auto imported = file.extension() == ".exr" ? from_light(file, options)
                                                            : from_codes(file, options);
-                const auto& image = imported.image;
-                if (image.width != loaded.study.width || image.height != loaded.study.height)
-                    throw CommandError(fmt::format("{}: is {}x{} pixels, the study says {}x{}",
-                                                   file.string(), image.width, image.height,
-                                                   loaded.study.width, loaded.study.height));
+                value_or_stop(stimuli::expect_size(loaded, picture, file, imported.image));
                 record +=
                     fmt::format("{}\t{}\t{}\t{}\n", picture_path(picture), file.filename().string(),
                                 protocols::sha256_hexadecimal(value_or_stop(read_text_file(file))),

@@ -2,7 +2,9 @@
 // anybody.
 #include "experiment/commands/commands.h"
 #include "experiment/commands/sittings.h"
+#include "experiment/commands/within.h"
 #include "experiment/session/clock.h"
+#include "experiment/store/screened.h"
 #include "experiment/vote_source.h"
 #include "protocols/digest.h"
 #include "protocols/questionnaire.h"
@@ -16,6 +18,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
 
 namespace experiment::commands {
@@ -27,7 +30,7 @@ using protocols::ObserverQuestion;
 
 struct Options {
     std::string study;
-    std::string observer;
+    std::optional<std::string> observer; ///< without one, a pseudonym is drawn
     bool consent = false;
     std::vector<std::string> answers;
     Voice voice;
@@ -61,7 +64,10 @@ std::map<std::string, std::string> given_answers(const Options& options,
             throw CommandError(fmt::format("--answer {}: expected QUESTION=ANSWER for one of {}",
                                            text, fmt::join(ids, ", ")));
         }
-        given[id] = text.substr(equals + 1);
+        if (!given.emplace(id, text.substr(equals + 1)).second)
+            throw CommandError(fmt::format("--answer {}: question \"{}\" has the answer \"{}\" "
+                                           "already, expected one for each question",
+                                           text, id, given.at(id)));
     }
     return given;
 }
@@ -100,10 +106,10 @@ void expect_consent(const Options& options, const protocols::Panel& panel) {
 void run(const Options& options) {
     const auto loaded = value_or_stop(read_study(options.study));
     const auto& panel = loaded.study.panel;
-    if (!options.observer.empty() && !store::is_pseudonym(options.observer))
+    if (options.observer && !store::is_pseudonym(*options.observer))
         throw CommandError(fmt::format("observer \"{}\": expected a pseudonym of 1 to 32 letters, "
                                        "digits, '-' and '_'",
-                                       options.observer));
+                                       *options.observer));
     expect_consent(options, panel);
     const auto given = given_answers(options, panel);
     std::map<std::string, std::string> answers;
@@ -125,10 +131,10 @@ void run(const Options& options) {
         record.push_back({"screening", verdict, utc});
 
     const auto store = writable_store(loaded);
-    const auto observer = options.observer.empty()
-                              ? new_pseudonym(value_or_stop(store->observers()))
-                              : ObserverId{options.observer};
+    const auto observer = options.observer ? ObserverId{*options.observer}
+                                           : new_pseudonym(value_or_stop(store->observers()));
     value_or_stop(store->add_observer(observer, utc));
+    value_or_stop(store->take_place(observer, store::ObserverKind::Person, utc));
     value_or_stop(store->append_answers(observer, record));
     fmt::print("{}: registered{}\n", observer.value,
                panel.questions.empty() ? "" : "; screening " + verdict);
@@ -145,8 +151,10 @@ void add_register(CLI::App& program) {
         "register",
         "An observer before the first sitting: consent, screening, the study's questions");
     command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
-    command->add_option("--observer", options->observer,
-                        "The observer's pseudonym, never a name; without it, one is drawn");
+    command
+        ->add_option("--observer", options->observer,
+                     "The observer's pseudonym, never a name; without it, one is drawn")
+        ->check(not_blank("a pseudonym, or no --observer to draw one"));
     command->add_flag("--consent", options->consent,
                       "The observer has read the instructions and agreed to take part");
     command->add_option("--answer", options->answers,
@@ -180,6 +188,12 @@ void add_observers(CLI::App& program) {
                        simulated ? " (SIMULATED)" : "", finished, loaded.study.plan.sessions,
                        screening);
         }
+        const auto screened = value_or_stop(store::screened_observers(*store)).size();
+        fmt::print("{} screened with a finished sitting{}\n", screened,
+                   screened < store::formal_observers
+                       ? fmt::format(": an informal study (fewer than {} observers)",
+                                     store::formal_observers)
+                       : "");
         for (const auto& tombstone : value_or_stop(store->tombstones()))
             fmt::print("withdrawn on {}: {} rows, {} votes; {}\n", tombstone.utc.substr(0, 10),
                        tombstone.rows, tombstone.votes, tombstone.reason);

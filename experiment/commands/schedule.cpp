@@ -2,6 +2,7 @@
 #include "protocols/schedule.h"
 
 #include "experiment/commands/commands.h"
+#include "experiment/commands/sittings.h"
 #include "experiment/read_study.h"
 #include "experiment/tables.h"
 
@@ -31,8 +32,9 @@ void add_schedule(CLI::App& program) {
     add_voice(*command, options->voice);
     command->callback([options] {
         const auto loaded = value_or_stop(read_study(options->study));
-        const auto schedule = value_or_stop(
-            protocols::make_schedule(loaded.study, {options->observer}, options->session));
+        const auto schedule = value_or_stop(protocols::make_schedule(
+            loaded.study, {options->observer}, options->session,
+            partner_of(loaded, {options->observer}, store::ObserverKind::Person)));
         deliver(schedule_csv(schedule), options->csv, options->study);
         options->voice.remark(fmt::format("Order: {}; generator {}, seed {}.", schedule.scene_rule,
                                           schedule.generator, schedule.order_seed));

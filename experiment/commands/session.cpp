@@ -1,6 +1,7 @@
 // pairlight session: one sitting of one observer.
 #include "experiment/commands/commands.h"
 #include "experiment/commands/sittings.h"
+#include "experiment/commands/within.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -52,8 +53,10 @@ void add_session(CLI::App& program) {
                         "A window of this size, such as 1280x720, not the full screen");
     command->add_option("--monitor", options->seat.monitor, "Which monitor; 1 is the primary one")
         ->check(CLI::PositiveNumber);
-    command->add_option("--override-days", options->seat.override_reason,
-                        "Sit earlier than the study allows, for this reason; it is recorded");
+    command
+        ->add_option("--override-days", options->seat.override_reason,
+                     "Sit earlier than the study allows, for this reason; it is recorded")
+        ->check(not_blank("a reason in words; it is recorded"));
     command->add_flag("--set-up", options->seat.setting_up,
                       "Begin with the experimenter's pages: the display, brightness and contrast");
     command->add_flag("--allow-long", options->seat.allow_long,

@@ -109,8 +109,7 @@ session::WindowOptions window_options(const LoadedStudy& loaded, const SeatOptio
     return {.size = seat.size,
             .monitor = seat.monitor,
             .surround = static_cast<std::uint8_t>(study.surround.code),
-            .picture_width = study.width,
-            .picture_height = study.height,
+            .sizes = protocols::picture_sizes(study),
             .gap = study.plan.gap_px,
             .presentation = study.plan.presentation,
             .reference = study.plan.reference,
@@ -130,14 +129,26 @@ session::SittingRequest sitting_request(const LoadedStudy& loaded,
         throw CommandError(fmt::format(
             "observer \"{}\": expected a pseudonym of 1 to 32 letters, digits, '-' and '_'",
             observer.value));
+    const auto partner =
+        partner_of(loaded, observer,
+                   simulation ? store::ObserverKind::Simulated : store::ObserverKind::Person);
     return {.study = loaded.study,
             .study_sha256 = loaded.sha256,
             .key = {observer, session},
-            .schedule = value_or_stop(protocols::make_schedule(loaded.study, observer, session)),
+            .schedule =
+                value_or_stop(protocols::make_schedule(loaded.study, observer, session, partner)),
             .instructions = value_or_stop(read_instructions(loaded)),
             .renderer = renderers(value_or_stop(stimuli::read_manifest(loaded.folder))),
             .simulation = std::move(simulation),
             .override_reason = std::move(override_reason)};
+}
+
+std::optional<ObserverId>
+partner_of(const LoadedStudy& loaded, const ObserverId& observer, store::ObserverKind kind) {
+    if (!has_votes(loaded))
+        return std::nullopt;
+    const auto store = value_or_stop(store::open_votes(loaded.folder.votes()));
+    return value_or_stop(store->partner(observer, kind));
 }
 
 int next_session(const LoadedStudy& loaded, const ObserverId& observer) {
@@ -165,6 +176,8 @@ session::SittingOutcome sit(const LoadedStudy& loaded,
     request.stimuli_sha256 = digest_of(digests);
     auto window = window_options(loaded, options);
     window.test_swaps = swaps_before_a_sitting;
+    window.without_display =
+        "expected a desktop, or --simulate for a simulated observer, who needs none";
     const auto screen = value_or_stop(
         session::open_window(window, load_unchanged(loaded, std::move(digests)), clock));
     StandingLine line(observer.value, voice.quiet);
@@ -203,9 +216,10 @@ void simulate_observers(const LoadedStudy& loaded,
     std::unique_ptr<session::WindowScreen> screen;
     if (window) {
         value_or_stop(stimuli::check_stimuli(loaded));
+        auto seat = window_options(loaded, {.size = window});
+        seat.without_display += ", or no --window: simulated observers need none";
         screen = value_or_stop(session::open_window(
-            window_options(loaded, {.size = window}),
-            load_unchanged(loaded, value_or_stop(stimulus_digests(loaded))), clock));
+            seat, load_unchanged(loaded, value_or_stop(stimulus_digests(loaded))), clock));
     }
     ProgressBar bar("simulating", !voice.quiet);
     for (int i = 0; i < observers; ++i) {

@@ -21,6 +21,12 @@ session::SittingRequest sitting_request(const LoadedStudy& loaded,
                                         std::optional<std::string> simulation,
                                         std::optional<std::string> override_reason);
 
+/// Whose sides an observer's sittings mirror, by the study's votes: nobody's where there are none.
+/// Errors: CommandError.
+std::optional<protocols::ObserverId> partner_of(const LoadedStudy& loaded,
+                                                const protocols::ObserverId& observer,
+                                                store::ObserverKind kind);
+
 /// The observer's first sitting that is not finished, counted from 1.
 /// Errors: CommandError when all of them are.
 int next_session(const LoadedStudy& loaded, const protocols::ObserverId& observer);

@@ -8,6 +8,7 @@
 #include "experiment/report/page.h"
 #include "experiment/session/clock.h"
 #include "experiment/stimuli/thumbnails.h"
+#include "experiment/store/screened.h"
 #include "experiment/text_files.h"
 
 namespace experiment::commands {
@@ -54,6 +55,10 @@ std::filesystem::path write_study_report(const LoadedStudy& loaded, const Voice&
                             .instructions = read_instructions(loaded).value_or(""),
                             .manifest = value_or_stop(stimuli::read_manifest(loaded.folder)),
                             .sittings = all_sittings(loaded)};
+    const auto store = value_or_stop(open_whole_votes(loaded.folder));
+    for (const auto& observer : value_or_stop(store->observers()))
+        records.answers[observer] = value_or_stop(store->answers(observer));
+    records.screened = value_or_stop(store::screened_observers(*store));
     auto contents = report::report_contents(records, std::move(findings),
                                             session::local_date(session::SystemClock().wall()));
     if (const auto file = loaded.folder.cost() / "cost.json"; std::filesystem::exists(file))

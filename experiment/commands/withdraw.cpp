@@ -1,6 +1,7 @@
 // pairlight withdraw: everything of an observer is removed, at their wish.
 #include "experiment/commands/commands.h"
 #include "experiment/commands/sittings.h"
+#include "experiment/commands/within.h"
 #include "experiment/session/clock.h"
 #include "experiment/vote_source.h"
 
@@ -26,6 +27,7 @@ void add_withdraw(CLI::App& program) {
     command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
     command->add_option("--observer", options->observer, "The observer's pseudonym")->required();
     command->add_option("--reason", options->reason, "Why, without personal data; it is recorded")
+        ->check(not_blank("a reason in words; it is recorded"))
         ->required();
     command->add_flag("--for-good", options->sure, "Yes: it cannot be undone");
     add_voice(*command, options->voice);

@@ -1,4 +1,4 @@
-// Written so that NaN fails.
+// Numbers are compared so that NaN fails.
 #include "experiment/commands/within.h"
 
 #include <CLI/CLI.hpp>
@@ -16,6 +16,16 @@ CLI::Validator within(double least, double most) {
         return fmt::format("{} is not a number from {} to {}", input, least, most);
     };
     return CLI::Validator(refuse, fmt::format("[{} - {}]", least, most));
+}
+
+CLI::Validator not_blank(const char* wanted) {
+    return CLI::Validator(
+        [wanted](const std::string& input) {
+            return input.find_first_not_of(" \t\r\n") == std::string::npos
+                       ? fmt::format("\"{}\" says nothing, expected {}", input, wanted)
+                       : std::string();
+        },
+        "");
 }
 
 } // namespace experiment::commands

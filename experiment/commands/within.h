@@ -1,4 +1,4 @@
-// A range for options that numbers have to lie in: unlike CLI11's own, NaN does not.
+// What values of options have to be.
 #pragma once
 
 namespace CLI {
@@ -7,7 +7,10 @@ class Validator;
 
 namespace experiment::commands {
 
-/// Both ends belong to it.
+/// A number of the range; both ends belong to it and, unlike in CLI11's own, NaN does not.
 CLI::Validator within(double least, double most);
+
+/// Something other than blanks: "expected <wanted>".
+CLI::Validator not_blank(const char* wanted);
 
 } // namespace experiment::commands

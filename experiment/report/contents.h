@@ -31,7 +31,9 @@ struct SittingRow {
     std::string date;
     std::string duration; ///< as people read it; "" for one that was not finished
     int votes = 0;
-    std::string timing_grade;
+    std::string
+        timing_grade;        ///< at the end; of an unfinished sitting, as promised at its beginning
+    std::string late_frames; ///< "3 of 1200"; "" where the display keeps no time to be late by
     std::string order_seed;
     std::string sides_seed;
     bool simulated = false;
@@ -62,8 +64,9 @@ struct Labels {
 
 struct ReportContents {
     std::string title;
-    std::string question;   ///< what observers were asked; "" when unknown
-    std::string written_on; ///< date, YYYY-MM-DD
+    std::string question;     ///< what observers were asked; "" when unknown
+    std::string written_on;   ///< date, YYYY-MM-DD
+    std::size_t screened = 0; ///< observers on record as having passed the screening
     analysis::Findings findings;
     Labels labels;
     std::vector<FactList> facts; ///< design, sessions, and what BT.500 wants a report to contain
@@ -72,9 +75,6 @@ struct ReportContents {
     std::vector<BrightnessRow> brightness;
     std::optional<cost::CostReport> cost; ///< of `pairlight cost`, if it was run
 };
-
-/// Recommendation ITU-R BT.500: with fewer observers a study is to be called informal.
-inline constexpr std::size_t formal_observers = 15;
 
 /// The label of `name`, or the name where there is none.
 std::string labelled(const std::map<std::string, std::string>& labels, const std::string& name);

@@ -1,13 +1,15 @@
 // The subjects of the checklist, one function each, in its order.
 #include "experiment/report/facts.h"
 
+#include "experiment/report/circumstances.h"
 #include "experiment/report/numbers.h"
+#include "experiment/report/sitting_words.h"
+#include "experiment/store/screened.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <map>
 #include <set>
@@ -21,72 +23,13 @@ using store::Sitting;
 
 constexpr std::chrono::milliseconds fast_answer{300};
 
-// "not recorded" when there is nothing to say.
-std::optional<std::string> known(std::string text) {
-    return text.empty() ? std::nullopt : std::optional(std::move(text));
-}
-
-// What differs between sittings, each once, with how often when there are several.
-template <class Text>
-std::string tallied(const std::vector<Sitting>& sittings, Text&& text_of) {
-    std::map<std::string, int> tally;
-    for (const auto& sitting : sittings)
-        if (const std::string text = text_of(sitting); !text.empty())
-            ++tally[text];
-    std::string lines;
-    for (const auto& [text, count] : tally)
-        lines += (lines.empty() ? "" : "\n") +
-                 (tally.size() == 1
-                      ? text
-                      : fmt::format("{} ({} session{})", text, count, count == 1 ? "" : "s"));
-    return lines;
-}
-
-std::optional<int> number_at(const std::string& text, std::size_t at, std::size_t length) {
-    int value = 0;
-    if (text.size() < at + length)
-        return {};
-    const auto* end = text.data() + at + length;
-    const auto read = std::from_chars(text.data() + at, end, value);
-    return read.ec == std::errc{} && read.ptr == end ? std::optional(value) : std::nullopt;
-}
-
-// YYYY-MM-DDThh:mm:ss..., to the second.
-std::optional<std::chrono::sys_seconds> time_point(const std::string& utc) {
-    const auto year = number_at(utc, 0, 4);
-    const auto month = number_at(utc, 5, 2);
-    const auto day = number_at(utc, 8, 2);
-    const auto hours = number_at(utc, 11, 2);
-    const auto minutes = number_at(utc, 14, 2);
-    const auto seconds = number_at(utc, 17, 2);
-    if (!year || !month || !day || !hours || !minutes || !seconds)
-        return {};
-    const std::chrono::year_month_day date{std::chrono::year(*year),
-                                           std::chrono::month(static_cast<unsigned>(*month)),
-                                           std::chrono::day(static_cast<unsigned>(*day))};
-    return std::chrono::sys_days(date) + std::chrono::hours(*hours) +
-           std::chrono::minutes(*minutes) + std::chrono::seconds(*seconds);
-}
-
-std::string duration(const Sitting& sitting) {
-    if (!sitting.finished_utc)
-        return "";
-    const auto start = time_point(sitting.start.started_utc);
-    const auto end = time_point(*sitting.finished_utc);
-    if (!start || !end || *end < *start)
-        return "not known";
-    const auto seconds = (*end - *start).count();
-    return seconds < 60 ? fmt::format("{} s", seconds)
-                        : fmt::format("{} min {} s", seconds / 60, seconds % 60);
-}
-
 std::vector<SittingRow> sitting_rows(const std::vector<Sitting>& sittings) {
     std::vector<SittingRow> rows;
     for (const auto& sitting : sittings)
         rows.push_back({sitting.start.key.observer.value, sitting.start.key.session,
                         sitting.start.local_date, duration(sitting),
-                        static_cast<int>(sitting.votes.size()), sitting.start.timing_grade,
-                        sitting.start.order_seed, sitting.start.sides_seed,
+                        static_cast<int>(sitting.votes.size()), timing_grade(sitting),
+                        late_frames(sitting), sitting.start.order_seed, sitting.start.sides_seed,
                         sitting.start.simulation.has_value()});
     return rows;
 }
@@ -155,6 +98,22 @@ FactList about_the_study(const Records& records, const Findings& findings) {
              {"Instructions", known(records.instructions)}}};
 }
 
+// "800 x 600 pixels", or scene by scene where they differ.
+std::string sizes_of(const protocols::Study& study) {
+    const auto text = [](const protocols::PictureSize& size) {
+        return fmt::format("{} \u00d7 {} pixels", size.width, size.height);
+    };
+    std::string lines;
+    std::set<std::string> different;
+    for (const auto& [scene, size] : picture_sizes(study)) {
+        different.insert(text(size));
+        lines += fmt::format("{}{}: {}", lines.empty() ? "" : "\n", scene.value, text(size));
+    }
+    return different.size() == 1 ? *different.begin()
+           : different.empty()   ? text({study.width, study.height})
+                                 : lines;
+}
+
 FactList about_the_stimuli(const Records& records) {
     const auto& study = records.study;
     std::string conditions;
@@ -173,7 +132,7 @@ FactList about_the_stimuli(const Records& records) {
             {{"Conditions", known(conditions)},
              {"Scenes", known(lines_of(study.scenes))},
              {"Variants", known(study.variants.empty() ? "one" : lines_of(study.variants))},
-             {"Size", fmt::format("{} \u00d7 {} pixels", study.width, study.height)},
+             {"Size", sizes_of(study)},
              {"Drawn by", known(fmt::format("{}", fmt::join(renderers, "\n")))},
              {"Files", known(hashes)},
              {"Brightness", matched ? known("means equalised, by the factors in the table above")
@@ -209,79 +168,6 @@ FactList about_the_design(const Records& records, const Findings& findings) {
          {"Warm-ups", fmt::format("{} at the start of a session; their answers are not kept",
                                   study.plan.warm_ups)},
          {"A session as planned", known(training_content(records.sittings))}}};
-}
-
-FactList about_the_display(const Records& records) {
-    return {"Display and room",
-            {{"Display",
-              known(tallied(records.sittings, [](const auto& s) { return s.start.display; }))},
-             {"Shown by",
-              known(tallied(records.sittings, [](const auto& s) { return s.start.renderer; }))},
-             {"Calibration", {}},
-             {"Peak and black luminance", {}},
-             {"Surround",
-              fmt::format("code value {} of 255 in every channel", records.study.surround.code)},
-             {"Surround as measured", {}},
-             {"Room illuminance", {}},
-             {"Background ratio and chromaticity", {}},
-             {"Viewing distance", {}}}};
-}
-
-FactList about_the_observers(const Findings& findings) {
-    return {"Observers",
-            {{"Took part", fmt::format("{}", findings.design.observers.size())},
-             {"Invited", {}},
-             {"Screened, excluded", {}},
-             {"Ages, sex", {}},
-             {"Expertise", {}},
-             {"Vision tests", {}}}};
-}
-
-// Kinds of events with how often each happened, over all sessions.
-std::string events_in_words(const std::vector<Sitting>& sittings) {
-    std::map<std::string, int> tally;
-    for (const auto& sitting : sittings)
-        for (const auto& event : sitting.events)
-            ++tally[event.kind];
-    std::vector<std::string> items;
-    for (const auto& [kind, count] : tally)
-        items.push_back(fmt::format("{} {}", kind, count));
-    return fmt::format("{}", fmt::join(items, ", "));
-}
-
-std::string overrides(const std::vector<Sitting>& sittings) {
-    std::string lines;
-    for (const auto& sitting : sittings)
-        if (sitting.start.override_reason)
-            lines += fmt::format("{}{}, session {}: {}", lines.empty() ? "" : "\n",
-                                 sitting.start.key.observer.value, sitting.start.key.session,
-                                 *sitting.start.override_reason);
-    return lines;
-}
-
-std::optional<std::string> simulations(const std::vector<Sitting>& sittings) {
-    if (sittings.empty())
-        return {};
-    const auto specifications =
-        tallied(sittings, [](const auto& s) { return s.start.simulation.value_or(""); });
-    return specifications.empty() ? "none" : specifications;
-}
-
-FactList about_the_sessions(const Records& records) {
-    const auto& sittings = records.sittings;
-    const auto finished = std::ranges::count_if(
-        sittings, [](const auto& sitting) { return sitting.finished_utc.has_value(); });
-    return {"Sessions as held",
-            {{"Begun, finished", fmt::format("{}, {}", sittings.size(), finished)},
-             {"Days apart, at least", fmt::format("{}", records.study.plan.days_apart)},
-             {"Exceptions from that",
-              sittings.empty() ? std::nullopt
-                               : known(overrides(sittings).empty() ? "none" : overrides(sittings))},
-             {"Simulated observers", simulations(sittings)},
-             {"Events", known(events_in_words(sittings))},
-             {"Timing grade",
-              known(tallied(sittings, [](const auto& s) { return s.start.timing_grade; }))},
-             {"Dropped frames", {}}}};
 }
 
 std::string response_times(const std::vector<Sitting>& sittings) {
@@ -349,9 +235,19 @@ FactList about_the_votes(const Records& records, const Findings& findings) {
 
 FactList about_deviations(const Records& records, const Findings& findings) {
     std::vector<std::string> deviations;
-    if (findings.design.observers.size() < formal_observers)
+    if (findings.design.observers.size() < store::formal_observers)
         deviations.push_back(fmt::format("{} observers, fewer than {}: informal",
-                                         findings.design.observers.size(), formal_observers));
+                                         findings.design.observers.size(),
+                                         store::formal_observers));
+    else if (records.screened.size() < store::formal_observers)
+        deviations.push_back(fmt::format("{} observers on record as screened, fewer than {}: "
+                                         "informal",
+                                         records.screened.size(), store::formal_observers));
+    if (std::ranges::any_of(records.sittings, [](const Sitting& sitting) {
+            return std::ranges::count(sitting.plan, protocols::Phase::Training,
+                                      &protocols::PlannedTrial::phase) > 0;
+        }))
+        deviations.emplace_back("practice pairs were drawn from the session's own pictures");
     if (std::ranges::any_of(records.sittings, [&](const Sitting& sitting) {
             return sitting.start.study_sha256 != records.study_sha256;
         }))
@@ -376,12 +272,13 @@ report_contents(const Records& records, analysis::Findings findings, std::string
     contents.question = records.study.question;
     contents.written_on = std::move(written_on);
     contents.labels = labels_of(records.study);
+    contents.screened = records.screened.size();
     contents.sittings = sitting_rows(records.sittings);
     contents.brightness = brightness_rows(records);
-    contents.facts = {about_the_study(records, findings),  about_the_stimuli(records),
-                      about_the_design(records, findings), about_the_display(records),
-                      about_the_observers(findings),       about_the_sessions(records),
-                      about_the_votes(records, findings),  about_deviations(records, findings)};
+    contents.facts = {about_the_study(records, findings),     about_the_stimuli(records),
+                      about_the_design(records, findings),    about_the_display(records),
+                      about_the_observers(records, findings), about_the_sessions(records),
+                      about_the_votes(records, findings),     about_deviations(records, findings)};
     contents.findings = std::move(findings);
     return contents;
 }

@@ -6,7 +6,9 @@
 #include "experiment/store/records.h"
 #include "protocols/study.h"
 
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,9 @@ struct Records {
     std::string instructions; ///< the text observers read; "" when it could not be read
     std::optional<stimuli::Manifest> manifest;
     std::vector<store::Sitting> sittings;
+    /// What was answered about each observer, in the order it was given.
+    std::map<protocols::ObserverId, std::vector<store::Answer>> answers;
+    std::set<protocols::ObserverId> screened; ///< who passed and has finished a sitting
 };
 
 /// A report without thumbnails.  `written_on` is a date, YYYY-MM-DD.  The facts are those that

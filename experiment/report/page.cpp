@@ -15,6 +15,7 @@
 #include "experiment/report/sheets.h"
 #include "experiment/report/simulated.h"
 #include "experiment/report/tables.h"
+#include "experiment/store/screened.h"
 #include "experiment/text_files.h"
 
 #include <fmt/format.h>
@@ -51,9 +52,11 @@ void add_opening(Body& body, const ReportContents& contents) {
         counted(static_cast<std::int64_t>(design.conditions.size()), "condition"),
         scenes_in_words(design), counted(static_cast<std::int64_t>(observers), "observer"),
         counted(design.votes, "vote"), escaped(contents.written_on),
-        observers < formal_observers
-            ? fmt::format("<br><span class=\"tag\">informal study (fewer than {} observers)</span>",
-                          formal_observers)
+        contents.screened < store::formal_observers
+            ? fmt::format("<br><span class=\"tag\">informal study (fewer than {} observers{})"
+                          "</span>",
+                          store::formal_observers,
+                          observers < store::formal_observers ? "" : " passed a screening")
             : ""));
     if (design.simulated)
         body.add(fmt::format(

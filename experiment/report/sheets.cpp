@@ -118,13 +118,16 @@ std::string brightness_table(const ReportContents& contents) {
 std::string sitting_table(const std::vector<SittingRow>& sittings) {
     std::string rows;
     for (const auto& sitting : sittings)
-        rows += html_row({escaped(sitting.observer), std::to_string(sitting.session),
-                          "<span class=\"date\">" + escaped(sitting.date) + "</span>",
-                          sitting.duration.empty() ? "not finished" : escaped(sitting.duration),
-                          std::to_string(sitting.votes), escaped(sitting.timing_grade),
-                          "<code>" + escaped(sitting.order_seed) + "<br>" +
-                              escaped(sitting.sides_seed) + "</code>",
-                          sitting.simulated ? "simulated" : "a person"});
+        rows += html_row(
+            {escaped(sitting.observer), std::to_string(sitting.session),
+             "<span class=\"date\">" + escaped(sitting.date) + "</span>",
+             sitting.duration.empty() ? "not finished" : escaped(sitting.duration),
+             std::to_string(sitting.votes),
+             escaped(sitting.timing_grade) +
+                 (sitting.late_frames.empty() ? "" : "<br>late: " + escaped(sitting.late_frames)),
+             "<code>" + escaped(sitting.order_seed) + "<br>" + escaped(sitting.sides_seed) +
+                 "</code>",
+             sitting.simulated ? "simulated" : "a person"});
     return html_table("sittings",
                       html_head({"Observer", "Session", "Date", "Duration", "Votes", "Timing",
                                  "Seeds: order, sides", "Given by"}),

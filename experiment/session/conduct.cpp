@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <tuple>
 
 namespace experiment::session {
 
@@ -27,6 +29,18 @@ std::string kind_of(const std::optional<std::string>& simulation) {
     return simulation ? fmt::format("simulated ({})", *simulation) : "a person's";
 }
 
+// The same questions in the same order.  Their sides are those that were drawn then: whose sides an
+// observer mirrors can change when somebody leaves the panel.
+bool ask_the_same(const std::vector<protocols::PlannedTrial>& one,
+                  const std::vector<protocols::PlannedTrial>& other) {
+    const auto question = [](const protocols::PlannedTrial& planned) {
+        const auto& [scene, variant, left, right] = planned.trial;
+        return std::tuple(planned.number, planned.phase, scene, variant, std::min(left, right),
+                          std::max(left, right));
+    };
+    return std::ranges::equal(one, other, {}, question, question);
+}
+
 Expected<void> check_resumption(const SittingRequest& request, const store::Sitting& begun) {
     const auto refuse = [&](const std::string& message) {
         return tl::unexpected(fmt::format("session {} of observer {} {}", request.key.session,
@@ -39,7 +53,7 @@ Expected<void> check_resumption(const SittingRequest& request, const store::Sitt
     if (begun.start.simulation != request.simulation)
         return refuse(fmt::format("was begun as {}, expected to go on so, not as {}",
                                   kind_of(begun.start.simulation), kind_of(request.simulation)));
-    if (begun.start.plan_sha256 != store::plan_digest(request.schedule.trials))
+    if (!ask_the_same(begun.plan, request.schedule.trials))
         return refuse(fmt::format("was begun on {} with another plan; expected the study file as "
                                   "it was then",
                                   begun.start.local_date));
@@ -84,6 +98,15 @@ std::string last_sign_of_life(const store::Sitting& begun) {
     return last;
 }
 
+// The trial that a deadline's event names, at the end of its detail.
+int trial_of(const store::SittingEvent& event) {
+    int number = 0;
+    const auto digits = event.detail.find_last_not_of("0123456789") + 1; // 0 where all are digits
+    std::from_chars(event.detail.data() + digits, event.detail.data() + event.detail.size(),
+                    number);
+    return number;
+}
+
 Progress progress_of(const store::Sitting& begun, WallTime now) {
     Progress progress;
     for (const auto& vote : begun.votes)
@@ -91,6 +114,13 @@ Progress progress_of(const store::Sitting& begun, WallTime now) {
     for (const auto& shown : begun.shown)
         progress.presentations[shown.trial] =
             std::max(progress.presentations[shown.trial], shown.presentation);
+    for (const auto& event : begun.events) {
+        const auto number = trial_of(event);
+        if (event.kind == store::missing_vote)
+            progress.missing.insert(number);
+        else if (event.kind == "deadline")
+            progress.expired.insert(number);
+    }
     // What follows the training was reached: the training was done.
     const auto was_shown = [&](const protocols::PlannedTrial& planned) {
         return planned.phase != Phase::Training && progress.presentations.contains(planned.number);
@@ -225,9 +255,16 @@ Expected<void> open_sitting(const SittingRequest& request,
         return note("resumed", display.description);
     auto done = store.add_observer(request.key.observer, utc_text(now));
     if (done)
+        done = store.take_place(request.key.observer,
+                                request.simulation ? store::ObserverKind::Simulated
+                                                   : store::ObserverKind::Person,
+                                utc_text(now));
+    if (done)
         done = store.begin_sitting(start_of(request, display, now), request.schedule.trials);
     if (done && !request.stimuli_sha256.empty())
         done = note("stimuli", "sha256=" + request.stimuli_sha256);
+    if (const auto room = protocols::text_of(request.study.room); done && !room.empty())
+        done = note("room", room);
     if (done)
         done = note("instructions",
                     fmt::format("language={}; sha256={}", request.study.instructions.language,
@@ -258,12 +295,14 @@ Expected<void> check_registration(const SittingRequest& request, const store::Vo
     return {};
 }
 
-SittingScript script_of(const SittingRequest& request, const DisplayFacts& facts) {
+SittingScript script_of(const SittingRequest& request,
+                        const std::optional<store::Sitting>& begun,
+                        const DisplayFacts& facts) {
     const bool synced = facts.timing.verdict == SwapVerdict::Synced;
     return {split_pages(request.instructions),
             request.study.question,
             request.study.plan,
-            request.schedule.trials,
+            begun ? begun->plan : request.schedule.trials,
             page_style(request.study),
             request.simulation ? std::vector<PageView>{} : facts.setting_up,
             facts.refresh,
@@ -311,7 +350,7 @@ Expected<SittingOutcome> conduct(const SittingRequest& request,
         return tl::unexpected(opened.error());
 
     const auto facts = screen.facts();
-    Sitting sitting(script_of(request, facts),
+    Sitting sitting(script_of(request, *begun, facts),
                     *begun ? progress_of(**begun, clock.wall()) : Progress{});
     Recorder record(request.key, store, clock, facts.timing);
     const auto finished = run(sitting, record, screen, clock, request.watch);

@@ -1,6 +1,7 @@
 // Pairs of pictures on their way from files to the graphics card.
 #include "experiment/session/pair_cache.h"
 
+#include "protocols/contract.h"
 #include "protocols/study.h"
 
 #include <fmt/format.h>
@@ -21,17 +22,23 @@ bool is_ready(const std::future<T>& future) {
 
 } // namespace
 
+protocols::PictureSize PairCache::size_of(const protocols::SceneId& scene) const {
+    const auto found = sizes_.find(scene);
+    EXPECTS(found != sizes_.end());
+    return found->second;
+}
+
 std::future<PairCache::Decoded> PairCache::decode(const protocols::Trial& trial,
                                                   const protocols::ConditionId& condition) const {
     const protocols::Picture wanted{trial.scene, trial.variant, condition};
     return std::async(
-        std::launch::async, [=, load = load_, width = width_, height = height_]() -> Decoded {
+        std::launch::async, [=, load = load_, size = size_of(trial.scene)]() -> Decoded {
             auto picture = load(wanted);
-            if (picture && (picture->width != width || picture->height != height))
+            if (picture && (picture->width != size.width || picture->height != size.height))
                 return tl::unexpected(
                     fmt::format("{}: the picture has {} x {} pixels, expected {} x {}",
                                 protocols::picture_path(wanted), picture->width, picture->height,
-                                width, height));
+                                size.width, size.height));
             return picture;
         });
 }

@@ -3,6 +3,7 @@
 
 #include "experiment/session/views.h"
 #include "protocols/expected.h"
+#include "protocols/study.h"
 #include "renderer/gpu/pixel_canvas.h"
 
 #include <functional>
@@ -26,12 +27,10 @@ struct UploadedPair {
 /// Holds the pair on the screen and the next one.
 class PairCache {
   public:
-    PairCache(LoadPicture load,
-              int width,
-              int height,
-              std::optional<protocols::ConditionId> reference = {})
-        : load_(std::move(load)), width_(width), height_(height), reference_(std::move(reference)) {
-    }
+    using Sizes = std::map<protocols::SceneId, protocols::PictureSize>;
+
+    PairCache(LoadPicture load, Sizes sizes, std::optional<protocols::ConditionId> reference = {})
+        : load_(std::move(load)), sizes_(std::move(sizes)), reference_(std::move(reference)) {}
 
     /// Begins to decode a pair, and forgets the others but the one got last.
     void prepare(const PairView& pair);
@@ -39,8 +38,8 @@ class PairCache {
     /// Uploads what has been decoded meanwhile; never waits for the rest.
     void upload_what_is_ready();
 
-    /// The pair, now.
-    /// Errors: those of `load`; a picture of another size than expected.
+    /// The pair, now.  EXPECTS a scene that has a size.
+    /// Errors: those of `load`; a picture of another size than its scene's.
     Expected<const UploadedPair*> get(const PairView& pair);
 
   private:
@@ -53,13 +52,13 @@ class PairCache {
         std::optional<Expected<UploadedPair>> uploaded;
     };
 
+    protocols::PictureSize size_of(const protocols::SceneId& scene) const;
     std::future<Decoded> decode(const protocols::Trial& trial,
                                 const protocols::ConditionId& condition) const;
     static Expected<UploadedPair> upload(Slot& slot);
 
     LoadPicture load_;
-    int width_;
-    int height_;
+    Sizes sizes_;
     std::optional<protocols::ConditionId> reference_;
     int got_last_ = 0;
     std::map<int, Slot> slots_; ///< by number of the trial

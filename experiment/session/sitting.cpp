@@ -74,7 +74,8 @@ void Sitting::add_pages() {
 
 void Sitting::add_trials(Phase phase) {
     for (const auto& planned : script_.trials)
-        if (planned.phase == phase && !progress_.voted.contains(planned.number))
+        if (planned.phase == phase && !progress_.voted.contains(planned.number) &&
+            !progress_.missing.contains(planned.number))
             steps_.emplace_back(planned);
 }
 
@@ -208,8 +209,12 @@ void Sitting::start_trial(Monotonic at) {
 
 // What the course of the trial has come to.
 void Sitting::follow_trial(Monotonic at) {
-    if (course_->is_ambiguous())
+    if (course_->is_ambiguous()) {
+        note("ambiguous", fmt::format("trial {}: two answers at once", trial().number), at);
         return ask_again_later(at);
+    }
+    if (course_->is_expired())
+        return pass_deadline(at);
     if (course_->is_settled(at))
         return settle(at);
     if (course_->changes() != course_changes_) {
@@ -266,10 +271,26 @@ void Sitting::vote_stored(Monotonic at) {
         handle(*std::exchange(deferred_, {}));
 }
 
+// A vote that is missing is on record as such, and never becomes a tie.
+void Sitting::pass_deadline(Monotonic at) {
+    const auto number = trial().number;
+    const bool is_main = trial().phase == Phase::Main;
+    note("deadline", fmt::format("trial {}", number), at);
+    if (is_main && script_.plan.after_deadline == protocols::AfterDeadline::Again &&
+        progress_.expired.insert(number).second)
+        return ask_again_later(at);
+    leave_trial();
+    if (is_main) {
+        note(std::string(store::missing_vote), fmt::format("{}", number), at);
+        progress_.missing.insert(number);
+        ++main_since_break_;
+    }
+    next(at);
+}
+
 // Behind the next trial at least, and where it stands between other scenes if there is such a
 // place.
 void Sitting::ask_again_later(Monotonic at) {
-    note("ambiguous", fmt::format("trial {}: two answers at once", trial().number), at);
     leave_trial();
     const auto again = trial();
     steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(step_));

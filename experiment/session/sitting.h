@@ -42,6 +42,8 @@ struct Standing {
 struct Progress {
     bool training_done = false;       ///< recently enough not to be repeated
     std::set<int> voted;              ///< numbers of the main trials that have a vote
+    std::set<int> missing;            ///< and of those that will have none
+    std::set<int> expired;            ///< trials whose deadline has passed once
     std::map<int, int> presentations; ///< how often each trial has been on the screen
 };
 
@@ -60,8 +62,9 @@ using Effect =
 ///
 /// What happens within a trial is TrialCourse's.  Escape, or closing the window, asks whether to
 /// stop; a pair that was interrupted by that, by a loss of the keyboard or by a change of the
-/// screen is shown again, and one with two answers at once comes again later.  After
-/// `longest_minutes` the experimenter decides.  The view becomes EndView when all is over.
+/// screen is shown again, and one with two answers at once comes again later, as does one whose
+/// deadline has passed, where the study wants that.  After `longest_minutes` the experimenter
+/// decides.  The view becomes EndView when all is over.
 class Sitting {
   public:
     static constexpr std::chrono::seconds least_reading{2};      ///< of a page of instructions
@@ -116,6 +119,7 @@ class Sitting {
     void settle(Monotonic at);
     void leave_trial();
     void ask_again_later(Monotonic at);
+    void pass_deadline(Monotonic at);
     void handle(const Input& input);
     void press(const Pressed& press, Monotonic at);
     void press_on_page(Key key, Monotonic at);

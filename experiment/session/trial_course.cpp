@@ -3,6 +3,7 @@
 
 #include "protocols/contract.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -62,9 +63,16 @@ TrialCourse::TrialCourse(const protocols::SessionPlan& plan,
 std::optional<Monotonic> TrialCourse::wake_at() const {
     if (answer_)
         return answer_->at + one_moment;
-    if (until_)
-        return *until_ - (state_ == State::Grey ? lead_ : Monotonic{});
-    return std::nullopt;
+    if (state_ == State::Grey)
+        return *until_ - lead_;
+    const auto end = deadline();
+    return until_ && end ? std::min(*until_, *end) : until_ ? until_ : end;
+}
+
+std::optional<Monotonic> TrialCourse::deadline() const {
+    if (!complete_ || plan_.deadline_s == 0)
+        return std::nullopt;
+    return *complete_ + std::chrono::seconds(plan_.deadline_s);
 }
 
 void TrialCourse::show(State state, View view, Monotonic asked) {
@@ -140,14 +148,19 @@ void TrialCourse::press(const Pressed& press, Monotonic at) {
             ambiguous_ || (press.key != answer_->press.key && at - answer_->at < one_moment);
         return;
     }
-    if (takes_answers(at))
+    if (deadline() && at >= *deadline())
+        expired_ = true;
+    else if (takes_answers(at))
         answer_ = Given{press, at};
     else
         ++early_keys_;
 }
 
 void TrialCourse::time_passed(Monotonic at) {
-    if (answer_ || !until_ || at < *wake_at())
+    if (answer_)
+        return;
+    expired_ = deadline() && at >= *deadline();
+    if (expired_ || !until_ || at < *wake_at())
         return;
     switch (state_) {
     case State::Grey:

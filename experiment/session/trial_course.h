@@ -23,8 +23,9 @@ std::optional<int> grade_of(Key key);
 std::string name_of(Key key);
 
 /// Grey, then the pictures: at once, one after the other, or one in place of the other.  Answers
-/// count `closed_ms` after the last of them appeared, or later.  The first answer counts, unless
-/// another one follows within `one_moment`: then nobody can say which was meant.
+/// count `closed_ms` after the last of them appeared, or later, until `deadline_s` after it.  The
+/// first answer counts, unless another one follows within `one_moment`: then nobody can say which
+/// was meant.
 class TrialCourse {
   public:
     static constexpr std::chrono::milliseconds one_moment{10};
@@ -59,6 +60,9 @@ class TrialCourse {
 
     bool is_ambiguous() const { return ambiguous_; }
 
+    /// The study's deadline has passed and there is no answer.
+    bool is_expired() const { return expired_; }
+
     /// EXPECTS an answer.
     store::MainVote vote() const;
 
@@ -85,6 +89,7 @@ class TrialCourse {
     void show_part(State state, Part part, Monotonic asked);
     std::string name_of_view() const;
     bool takes_answers(Monotonic at) const;
+    std::optional<Monotonic> deadline() const;
 
     protocols::SessionPlan plan_;
     protocols::PlannedTrial trial_;
@@ -100,6 +105,7 @@ class TrialCourse {
     std::optional<Monotonic> complete_;    ///< when all pictures have been on the screen
     std::optional<Given> answer_;
     bool ambiguous_ = false;
+    bool expired_ = false;
     int early_keys_ = 0;
     bool held_key_ = false;
     std::vector<store::Frame> frames_;

@@ -69,6 +69,17 @@ Places places_of(const WindowOptions& options) {
     return side_by_side ? Places::Two : Places::One;
 }
 
+/// By scene: where its pictures lie, or why they do not fit.
+using Layouts = std::map<protocols::SceneId, Expected<PairLayout>>;
+
+Layouts lay_out(int width, int height, const WindowOptions& options) {
+    Layouts layouts;
+    for (const auto& [scene, size] : options.sizes)
+        layouts.emplace(scene, lay_out_pair(width, height, size.width, size.height, options.gap,
+                                            places_of(options)));
+    return layouts;
+}
+
 // Mesa's rasterisers draw in memory; nothing they swap waits for a monitor.
 bool is_software(const std::string& renderer) {
     for (const auto* name : {"llvmpipe", "softpipe", "swrast", "SWR", "Software"})
@@ -93,14 +104,14 @@ class Window final : public WindowScreen {
            GLFWmonitor* monitor,
            const WindowOptions& options,
            PixelCanvas canvas,
-           PairLayout layout,
+           Layouts layouts,
            std::unique_ptr<PageDrawing> pages,
            LoadPicture load,
            const Clock& clock)
         : glfw_(std::move(glfw)), window_(std::move(window)), monitor_(monitor), options_(options),
-          canvas_(canvas), layout_(layout), pages_(std::move(pages)),
-          cache_(std::move(load), options.picture_width, options.picture_height, options.reference),
-          keys_(glfw_keys(options.keys)), clock_(clock) {
+          canvas_(canvas), layouts_(std::move(layouts)), pages_(std::move(pages)),
+          cache_(std::move(load), options.sizes, options.reference), keys_(glfw_keys(options.keys)),
+          clock_(clock) {
         glfwSetWindowUserPointer(window_.get(), this);
         glfwSetKeyCallback(window_.get(), [](GLFWwindow* event_window, int key, int, int action,
                                              int) { self(event_window).on_key(key, action); });
@@ -258,8 +269,7 @@ class Window final : public WindowScreen {
         canvas_ = PixelCanvas(width, height);
         pages_->resize(width, height);
         // Where the pictures no longer fit, the next pair says so, and the sitting ends.
-        layout_ = lay_out_pair(width, height, options_.picture_width, options_.picture_height,
-                               options_.gap, places_of(options_));
+        layouts_ = lay_out(width, height, options_);
         damaged_ = true;
     }
 
@@ -275,16 +285,22 @@ class Window final : public WindowScreen {
         const auto surround = canvas_.read(0, 0, canvas_.width(), canvas_.height());
         surround_exact_ = std::ranges::all_of(
             surround.rgb, [&](std::uint8_t code) { return code == options_.surround; });
-        renderer::gpu::Picture8 codes{layout_->width, layout_->height, {}};
+        picture_exact_ = true;
+        for (const auto& [scene, layout] : layouts_)
+            if (layout)
+                check_pictures(*layout);
+    }
+
+    void check_pictures(const PairLayout& layout) {
+        renderer::gpu::Picture8 codes{layout.width, layout.height, {}};
         for (int pixel = 0; pixel < codes.width * codes.height; ++pixel)
             for (const int value : {pixel, 255 - pixel, pixel ^ 0x55})
                 codes.rgb.push_back(static_cast<std::uint8_t>(value & 0xff));
         const renderer::gpu::UploadedPicture uploaded(codes);
-        picture_exact_ = true;
-        for (const int left : {layout_->left_x, layout_->right_x}) {
-            canvas_.draw(uploaded, left, layout_->top);
+        for (const int left : {layout.left_x, layout.right_x}) {
+            canvas_.draw(uploaded, left, layout.top);
             picture_exact_ = picture_exact_ &&
-                             canvas_.read(left, layout_->top, codes.width, codes.height) == codes;
+                             canvas_.read(left, layout.top, codes.width, codes.height) == codes;
         }
     }
 
@@ -313,20 +329,22 @@ class Window final : public WindowScreen {
         int width = 0, height = 0;
         glfwGetCursorPos(window_.get(), &x, &y);
         glfwGetWindowSize(window_.get(), &width, &height);
-        if (width <= 0 || height <= 0 || !layout_)
+        const auto* pair = std::get_if<PairView>(&view_);
+        if (width <= 0 || height <= 0 || pair == nullptr || !layout_of(*pair))
             return;
+        const auto& layout = *layout_of(*pair);
         // Where a desktop scales windows, the cursor is not counted in pixels.
         x *= static_cast<double>(canvas_.width()) / width;
         y *= static_cast<double>(canvas_.height()) / height;
         const auto inside = [&](int left) {
-            return x >= left && x < left + layout_->width && y >= layout_->top &&
-                   y < layout_->top + layout_->height;
+            return x >= left && x < left + layout.width && y >= layout.top &&
+                   y < layout.top + layout.height;
         };
-        if (layout_->left_x == layout_->right_x)
+        if (layout.left_x == layout.right_x)
             return; // one place: a click does not say which picture
-        if (inside(layout_->left_x))
+        if (inside(layout.left_x))
             inputs_.push_back({now, Pressed{Key::Left, Device::Mouse}});
-        else if (inside(layout_->right_x))
+        else if (inside(layout.right_x))
             inputs_.push_back({now, Pressed{Key::Right, Device::Mouse}});
     }
 
@@ -343,23 +361,27 @@ class Window final : public WindowScreen {
         return pair != nullptr ? draw_pair(*pair) : Expected<void>{};
     }
 
+    const Expected<PairLayout>& layout_of(const PairView& pair) const {
+        return layouts_.at(pair.trial.scene);
+    }
+
     Expected<void> draw_pair(const PairView& pair) {
-        if (!layout_)
-            return tl::unexpected(layout_.error());
+        const auto& layout = layout_of(pair);
+        if (!layout)
+            return tl::unexpected(layout.error());
         const auto pictures = cache_.get(pair);
         if (!pictures)
             return tl::unexpected(pictures.error());
         if (pair.part != Part::Second)
-            canvas_.draw((*pictures)->left, layout_->left_x, layout_->top);
+            canvas_.draw((*pictures)->left, layout->left_x, layout->top);
         if (pair.part != Part::First)
-            canvas_.draw((*pictures)->right, layout_->right_x, layout_->top);
+            canvas_.draw((*pictures)->right, layout->right_x, layout->top);
         if ((*pictures)->reference)
-            canvas_.draw(*(*pictures)->reference, layout_->reference_x, layout_->top);
+            canvas_.draw(*(*pictures)->reference, layout->reference_x, layout->top);
         if (pair.part == Part::Both)
             return {};
         return pages_->draw_mark(pair.part == Part::First ? "1" : "2",
-                                 layout_->left_x + layout_->width / 2,
-                                 layout_->top + layout_->height);
+                                 layout->left_x + layout->width / 2, layout->top + layout->height);
     }
 
     void draw_patch(const Patch& patch) {
@@ -390,7 +412,7 @@ class Window final : public WindowScreen {
     GLFWmonitor* monitor_;
     WindowOptions options_;
     PixelCanvas canvas_;
-    Expected<PairLayout> layout_; ///< or why the pictures do not fit any more
+    Layouts layouts_;
     std::unique_ptr<PageDrawing> pages_;
     PairCache cache_;
     std::map<int, Key> keys_; ///< by GLFW's codes
@@ -407,8 +429,7 @@ class Window final : public WindowScreen {
 
 Expected<std::unique_ptr<WindowScreen>>
 open_window(const WindowOptions& options, LoadPicture load, const Clock& clock) {
-    auto glfw =
-        Glfw::start("expected a desktop, or --simulate for a simulated observer, who needs none");
+    auto glfw = Glfw::start(options.without_display);
     if (!glfw)
         return tl::unexpected(glfw.error());
     const auto monitor = chosen_monitor(options.monitor);
@@ -419,17 +440,17 @@ open_window(const WindowOptions& options, LoadPicture load, const Clock& clock) 
         return tl::unexpected(window.error());
     int width = 0, height = 0;
     glfwGetFramebufferSize(window->get(), &width, &height);
-    const auto layout = lay_out_pair(width, height, options.picture_width, options.picture_height,
-                                     options.gap, places_of(options));
-    if (!layout)
-        return tl::unexpected(layout.error());
+    auto layouts = lay_out(width, height, options);
+    for (const auto& [scene, layout] : layouts)
+        if (!layout)
+            return tl::unexpected(layout.error());
     auto pages = PageDrawing::create(width, height,
                                      {options.display.text_scale, options.display.high_contrast});
     if (!pages)
         return tl::unexpected(pages.error());
     auto screen = std::make_unique<Window>(std::move(*glfw), std::move(*window), *monitor, options,
-                                           PixelCanvas(width, height), *layout, std::move(*pages),
-                                           std::move(load), clock);
+                                           PixelCanvas(width, height), std::move(layouts),
+                                           std::move(*pages), std::move(load), clock);
     if (auto shown = screen->show(GreyView{}); !shown)
         return tl::unexpected(shown.error());
     return screen;

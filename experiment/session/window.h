@@ -7,8 +7,10 @@
 #include "experiment/session/screen.h"
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace experiment::session {
@@ -22,13 +24,13 @@ struct WindowOptions {
     std::optional<WindowSize> size; ///< of a window; without it, the whole monitor
     int monitor = 1;                ///< 1 is the primary one
     std::uint8_t surround = 128;    ///< code value of the grey
-    int picture_width = 0;          ///< of each picture
-    int picture_height = 0;
-    int gap = 32; ///< between the pictures
+    std::map<protocols::SceneId, protocols::PictureSize> sizes{}; ///< of their pictures
+    int gap = 32;                                                 ///< between the pictures
     protocols::Presentation presentation{};
     std::optional<protocols::ConditionId> reference{};
     protocols::KeyMap keys = protocols::standard_keys();
     protocols::Display display{};
+    std::string without_display = "expected a desktop, or a virtual one such as xvfb-run brings";
     int test_swaps = 0;      ///< of the timing test at the start; 0: none
     bool setting_up = false; ///< the experimenter's pages come first
     PageStyle style{};       ///< theirs
@@ -47,8 +49,9 @@ class WindowScreen : public Screen {
 };
 
 /// Opens the window, OpenGL 4.5 core, and shows grey.  A click on a picture is its key.  `clock`
-/// has to outlive the screen; one screen at a time. Errors: no display (names DISPLAY and
-/// --simulate); no such monitor; an OpenGL below 4.5; pictures that do not fit; no font.
+/// has to outlive the screen; one screen at a time. Errors: no display (names DISPLAY, and
+/// what to do without one); no such monitor; an OpenGL below 4.5; pictures that do not fit; no
+/// font.
 Expected<std::unique_ptr<WindowScreen>>
 open_window(const WindowOptions& options, LoadPicture load, const Clock& clock);
 

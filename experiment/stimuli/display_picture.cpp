@@ -1,6 +1,7 @@
 // Stimuli are stored with 16 bits, and displays are sent 8.
 #include "experiment/stimuli/display_picture.h"
 
+#include "experiment/stimuli/own_images.h"
 #include "experiment/stimuli/scene_renderer.h"
 #include "renderer/imaging/image_files.h"
 
@@ -39,10 +40,8 @@ picture_for_display(const LoadedStudy& loaded, const protocols::Picture& picture
     if (!read)
         return tl::unexpected(read.error());
     const auto& image = read->image;
-    if (image.width != loaded.study.width || image.height != loaded.study.height)
-        return tl::unexpected(fmt::format("{}: is {}x{} pixels, the study says {}x{}",
-                                          file.string(), image.width, image.height,
-                                          loaded.study.width, loaded.study.height));
+    if (auto fits = expect_size(loaded, picture, file, image); !fits)
+        return tl::unexpected(fits.error());
     return bytes(image.bits == 8 ? image : imaging::encode_8bit(linear(image)));
 }
 

@@ -13,6 +13,17 @@ namespace experiment::stimuli {
 
 namespace fs = std::filesystem;
 
+tl::expected<void, std::string> expect_size(const LoadedStudy& loaded,
+                                            const protocols::Picture& picture,
+                                            const fs::path& file,
+                                            const renderer::imaging::EncodedImage& image) {
+    const auto wanted = picture_sizes(loaded.study).at(picture.scene);
+    if (protocols::PictureSize{image.width, image.height} == wanted)
+        return {};
+    return tl::unexpected(fmt::format("{}: is {}x{} pixels, the study says {}x{}", file.string(),
+                                      image.width, image.height, wanted.width, wanted.height));
+}
+
 tl::expected<PictureRecord, std::string> inspect_own_image(const LoadedStudy& loaded,
                                                            const protocols::Picture& picture) {
     const auto file = png_file(loaded.folder, picture);
@@ -24,10 +35,8 @@ tl::expected<PictureRecord, std::string> inspect_own_image(const LoadedStudy& lo
     if (!read)
         return tl::unexpected(read.error());
     const auto& image = read->image;
-    if (image.width != loaded.study.width || image.height != loaded.study.height)
-        return tl::unexpected(fmt::format("{}: is {}x{} pixels, the study says {}x{}",
-                                          file.string(), image.width, image.height,
-                                          loaded.study.width, loaded.study.height));
+    if (auto fits = expect_size(loaded, picture, file, image); !fits)
+        return tl::unexpected(fits.error());
     const auto bytes = read_text_file(file);
     if (!bytes)
         return tl::unexpected(bytes.error());

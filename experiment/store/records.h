@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace experiment::store {
@@ -18,6 +19,9 @@ struct StudyIdentity {
     std::string file_sha256; ///< of study.toml as it lay there, 64 hexadecimal digits
     bool operator==(const StudyIdentity&) const = default;
 };
+
+/// Who answers.  People and simulated observers have places of their own in the panel.
+enum class ObserverKind { Person, Simulated };
 
 /// Which sitting: `session` is 1-based.
 struct SittingKey {
@@ -118,6 +122,9 @@ struct SittingEvent {
     std::string utc;
     bool operator==(const SittingEvent&) const = default;
 };
+
+/// The kind of event that says a main trial will have no vote; its detail is the trial's number.
+inline constexpr std::string_view missing_vote = "missing";
 
 /// Everything kept of one sitting.
 struct Sitting {

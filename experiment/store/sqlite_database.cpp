@@ -5,7 +5,10 @@
 
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/vfs.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace experiment::store {
@@ -41,6 +44,18 @@ Value column(sqlite3_stmt* statement, int index) {
         return text ? std::string(text, size) : std::string();
     }
     }
+}
+
+// A log is shared through memory, which the machines of a network do not share.
+bool is_on_a_network(const std::filesystem::path& file) {
+    // NFS, SMB, CIFS, SMB2, AFS, Ceph, 9P, and what FUSE may bring from anywhere: statfs(2).
+    constexpr std::array<std::uint32_t, 8> kinds{0x6969,     0x517B,     0xFF534D42, 0xFE534D42,
+                                                 0x5346414F, 0x00C36400, 0x01021997, 0x65735546};
+
+    struct statfs about {};
+
+    return statfs(file.c_str(), &about) != 0 ||
+           std::ranges::count(kinds, static_cast<std::uint32_t>(about.f_type)) > 0;
 }
 
 // What the person can do about it, by SQLite's result code.
@@ -83,8 +98,30 @@ SqliteDatabase::SqliteDatabase(std::filesystem::path file, WhenMissing when_miss
     execute("PRAGMA foreign_keys = ON; PRAGMA synchronous = EXTRA; PRAGMA trusted_schema = OFF");
 }
 
+// Where another program still has the file open, the log is left to it.
 void SqliteDatabase::Close::operator()(sqlite3* database) const {
+    sqlite3_busy_timeout(database, 0);
+    sqlite3_exec(database, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
     sqlite3_close_v2(database);
+}
+
+std::string SqliteDatabase::journal_mode() const {
+    return text_of(query("PRAGMA journal_mode")[0][0]);
+}
+
+// The log is brought into the file at the end, not in the middle of a sitting, where it would make
+// one vote in fifty wait.
+void SqliteDatabase::write_ahead() {
+    if (is_on_a_network(file_))
+        return;
+    sqlite3_exec(database_.get(), "PRAGMA wal_autocheckpoint = 0; PRAGMA journal_mode = WAL",
+                 nullptr, nullptr, nullptr);
+}
+
+void SqliteDatabase::keep_in_one_file() {
+    execute("PRAGMA journal_mode = DELETE");
+    if (journal_mode() == "wal")
+        throw complaint(remedy(SQLITE_BUSY, ""));
 }
 
 DatabaseError SqliteDatabase::complaint(const std::string& message) const {

@@ -2,6 +2,7 @@
 #include "experiment/store/sqlite_reading.h"
 
 #include "experiment/store/row_chain.h"
+#include "experiment/store/sqlite_panel.h"
 #include "experiment/store/sqlite_schema.h"
 #include "experiment/store/sqlite_withdrawal.h"
 #include "experiment/store/vote_store.h"
@@ -122,7 +123,9 @@ void add_contradictions(std::vector<std::string>& findings, const SqliteDatabase
                "SELECT observer, session, count(*) FROM finished JOIN sittings ON sittings.seq = "
                "finished.sitting JOIN planned ON planned.sitting = sittings.seq LEFT JOIN votes ON "
                "votes.sitting = planned.sitting AND votes.trial = planned.trial WHERE phase = "
-               "'main' AND votes.seq IS NULL GROUP BY sittings.seq",
+               "'main' AND votes.seq IS NULL AND planned.trial NOT IN (SELECT CAST(detail AS "
+               "INTEGER) FROM events WHERE sitting = sittings.seq AND kind = 'missing') GROUP BY "
+               "sittings.seq",
                "main trial(s) have no vote though the session is finished");
     add_counts(findings, database,
                "SELECT observer, session, count(*) FROM votes JOIN sittings ON sittings.seq = "
@@ -220,8 +223,10 @@ std::vector<Answer> read_answers(const SqliteDatabase& database,
                                  const protocols::ObserverId& observer) {
     std::vector<Answer> answers;
     for (const auto& row :
-         database.query("SELECT question, answer, utc FROM answers WHERE observer = ? ORDER BY seq",
-                        {observer.value}))
+         database.query("SELECT question, answer, utc FROM answers WHERE observer = ? AND question "
+                        "NOT IN (?, ?) ORDER BY seq",
+                        {observer.value, place_question(ObserverKind::Person),
+                         place_question(ObserverKind::Simulated)}))
         answers.push_back({text_of(row[0]), text_of(row[1]), text_of(row[2])});
     return answers;
 }

@@ -3,6 +3,7 @@
 
 #include "experiment/store/row_chain.h"
 #include "experiment/store/sqlite_database.h"
+#include "experiment/store/sqlite_panel.h"
 #include "experiment/store/sqlite_reading.h"
 #include "experiment/store/sqlite_schema.h"
 #include "experiment/store/sqlite_withdrawal.h"
@@ -78,6 +79,8 @@ class SqliteStore final : public VoteStore {
         database_.in_transaction([&] { database_.execute(upgrade_sql()); });
     }
 
+    void write_ahead() { database_.write_ahead(); }
+
     void check_writable() {
         if (database_.is_read_only())
             throw database_.complaint("cannot be written: the file or its folder is read-only");
@@ -120,6 +123,18 @@ class SqliteStore final : public VoteStore {
                 if (database_.query("SELECT 1 FROM observers WHERE observer = ?", {observer.value})
                         .empty())
                     append("observers", {observer.value, utc});
+            });
+        });
+    }
+
+    Expected<void>
+    take_place(const ObserverId& observer, ObserverKind kind, const std::string& utc) override {
+        return attempt(database_.file(), [&] {
+            database_.in_transaction([&] {
+                refuse_unknown(observer);
+                if (is_without_place(database_, observer))
+                    append("answers", {observer.value, place_question(kind),
+                                       std::to_string(free_place(database_, kind)), utc});
             });
         });
     }
@@ -211,6 +226,7 @@ class SqliteStore final : public VoteStore {
                                  const std::string& reason) override {
         return attempt(database_.file(), [&] {
             Tombstone tombstone{utc, reason, 0, 0};
+            database_.keep_in_one_file();                   // a log would still hold the rows
             database_.execute("PRAGMA secure_delete = ON"); // zeros where the rows lay
             database_.in_transaction([&] {
                 refuse_unknown(observer);
@@ -234,8 +250,10 @@ class SqliteStore final : public VoteStore {
                 const auto sitting = open_sitting(key);
                 const auto open = database_.query(
                     "SELECT trial FROM planned WHERE sitting = ? AND phase = 'main' AND trial NOT "
-                    "IN (SELECT trial FROM votes WHERE sitting = planned.sitting) ORDER BY trial",
-                    {sitting});
+                    "IN (SELECT trial FROM votes WHERE sitting = planned.sitting) AND trial NOT IN "
+                    "(SELECT CAST(detail AS INTEGER) FROM events WHERE sitting = planned.sitting "
+                    "AND kind = ?) ORDER BY trial",
+                    {sitting, std::string(missing_vote)});
                 if (!open.empty())
                     throw complaint(key, fmt::format("cannot be finished: {} main trial(s) have no "
                                                      "vote, the first is number {}",
@@ -251,6 +269,11 @@ class SqliteStore final : public VoteStore {
 
     Expected<std::vector<ObserverId>> observers() const override {
         return attempt(database_.file(), [&] { return read_observers(database_); });
+    }
+
+    Expected<std::optional<ObserverId>> partner(const ObserverId& observer,
+                                                ObserverKind kind) const override {
+        return attempt(database_.file(), [&] { return partner_in(database_, observer, kind); });
     }
 
     Expected<std::vector<SittingSummary>> sittings() const override {
@@ -389,6 +412,11 @@ class SqliteStore final : public VoteStore {
                                              trial));
         if (has("votes"))
             throw complaint(key, fmt::format("has a vote for trial {} already", trial));
+        if (!database_
+                 .query("SELECT 1 FROM events WHERE sitting = ? AND kind = ? AND detail = ?",
+                        {sitting, std::string(missing_vote), std::to_string(trial)})
+                 .empty())
+            throw complaint(key, fmt::format("has trial {} on record as missing", trial));
     }
 
     SqliteDatabase database_;
@@ -433,6 +461,7 @@ Expected<std::unique_ptr<VoteStore>> open_or_create_votes(const std::filesystem:
                       store.check_writable();
                       store.check_study(study);
                       store.upgrade();
+                      store.write_ahead();
                   });
 }
 

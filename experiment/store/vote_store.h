@@ -29,6 +29,13 @@ class VoteStore {
     virtual Expected<void> add_observer(const protocols::ObserverId& observer,
                                         const std::string& utc) = 0;
 
+    /// Gives an observer the lowest place in the panel that is free among their kind; nothing
+    /// happens when they have one, or have begun a sitting without.
+    /// Errors: an unknown observer.
+    virtual Expected<void> take_place(const protocols::ObserverId& observer,
+                                      ObserverKind kind,
+                                      const std::string& utc) = 0;
+
     /// Writes the sitting's header and its whole plan, in one transaction.
     /// Errors: an unknown observer; a sitting with this key, finished or not; a person's sitting
     /// for an observer who was simulated before, and the other way round.
@@ -37,7 +44,7 @@ class VoteStore {
 
     /// Errors of these five: no such sitting; a finished one; for the first two, a trial that is
     /// not in the plan; for votes, a trial that is not a main trial, has not been recorded as
-    /// shown, or has a vote.
+    /// shown, has a vote, or is on record as missing.
     virtual Expected<void> append_shown(const SittingKey& key, const Shown& shown) = 0;
     virtual Expected<void> append_vote(const SittingKey& key, const MainVote& vote) = 0;
     virtual Expected<void> append_event(const SittingKey& key, const SittingEvent& event) = 0;
@@ -56,7 +63,7 @@ class VoteStore {
                                          const std::string& utc,
                                          const std::string& reason) = 0;
 
-    /// Errors, too: a main trial of the plan without a vote.
+    /// Errors, too: a main trial of the plan without a vote that is not on record as missing.
     virtual Expected<void> finish_sitting(const SittingKey& key, const std::string& utc) = 0;
 
     /// Which study this store was made for.
@@ -64,6 +71,12 @@ class VoteStore {
 
     /// Every observer, in order of arrival.
     virtual Expected<std::vector<protocols::ObserverId>> observers() const = 0;
+
+    /// Whose sides an observer's sittings mirror: in every second place of the panel, those of the
+    /// observer one place before.  Somebody without one is answered as if they took it now.
+    /// Empty: nobody's.
+    virtual Expected<std::optional<protocols::ObserverId>>
+    partner(const protocols::ObserverId& observer, ObserverKind kind) const = 0;
 
     /// Every sitting, in order of its beginning.
     virtual Expected<std::vector<SittingSummary>> sittings() const = 0;

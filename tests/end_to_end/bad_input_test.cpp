@@ -213,4 +213,18 @@ TEST_F(BadInput, DoesNotWriteAStudyOverAnother) {
     EXPECT_EQ(read_file(folder / "study.toml"), study);
 }
 
+// Somebody simulated may sit without a screen; a display page cannot be simulated.
+TEST_F(BadInput, OffersWithoutADisplayOnlyWhatTheCommandCanDo) {
+    write_small_study(folder.path());
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+    for (const auto* command : {"display", "timing-check", "photometer"}) {
+        const auto outcome = pairlight({command, path()});
+        EXPECT_EQ(outcome.status, 1);
+        EXPECT_THAT(outcome.err, AllOf(HasSubstr("there is no display"), HasSubstr("xvfb-run"),
+                                       testing::Not(HasSubstr("simulate"))));
+    }
+    EXPECT_THAT(pairlight({"session", path(), "--observer", "P1"}).err, HasSubstr("--simulate"));
+}
+
 } // namespace

@@ -2,6 +2,7 @@
 #include "renderer/imaging/image_files.h"
 #include "tests/end_to_end/program.h"
 #include "tests/end_to_end/small_study.h"
+#include "tests/end_to_end/virtual_screen.h"
 
 namespace {
 
@@ -37,6 +38,32 @@ TEST_F(Import, KeepsEveryCodeOfAPng) {
     ASSERT_TRUE(read) << read.error();
     EXPECT_EQ(read->image.codes, small_picture("garden", "first").codes);
     EXPECT_EQ(pairlight({"check", study.path().string()}).status, 0);
+}
+
+// Equal within a scene, for that is what is seen side by side; scenes may differ.
+TEST_F(Import, TakesEachScenesPicturesInTheirOwnSize) {
+    for (const auto* condition : {"first", "second", "third"}) {
+        imaging::EncodedImage wide{300, 100, 8, {}};
+        wide.codes.assign(3 * 300 * 100, 77);
+        ASSERT_TRUE(imaging::write_png(
+            study / ("originals/harbour/" + std::string(condition) + ".png"), wide));
+    }
+    EXPECT_THAT(take().err, HasSubstr("is 300x100 pixels, the study says 200x150"));
+    auto text = read_file(study / "study.toml");
+    const std::string scene = "id = \"harbour\"\n";
+    text.insert(text.find(scene) + scene.size(), "width = 300\nheight = 100\n");
+    write_file(study / "study.toml", text);
+    const auto outcome = take();
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(pairlight({"check", study.path().string()}).status, 0);
+    const VirtualScreen screen(800, 600);
+    const auto sat = pairlight(
+        {"simulate", study.path().string(), "--observers", "1", "--quiet", "--window", "640x400"});
+    EXPECT_EQ(sat.status, 0) << sat.err;
+    EXPECT_THAT(pairlight({"simulate", study.path().string(), "--observers", "2", "--quiet",
+                           "--window", "600x400"})
+                    .err,
+                HasSubstr("pictures of 300 x 100 pixels"));
 }
 
 TEST_F(Import, TakesJpegAndTiffAsTheyAreDecoded) {

@@ -1,6 +1,10 @@
 // Observers as a laboratory keeps them: registered, screened, sat twice on two days, withdrawn.
+#include "experiment/store/sqlite_store.h"
 #include "tests/end_to_end/program.h"
 #include "tests/end_to_end/small_study.h"
+
+#include <algorithm>
+#include <map>
 
 namespace {
 
@@ -40,6 +44,50 @@ TEST_F(Observers, AreRegisteredWithConsentAndScreening) {
     EXPECT_THAT(named.out, HasSubstr("P1: registered; screening failed: acuity"));
     EXPECT_THAT(program({"observers"}).out, HasSubstr("P1: 0 of 1 sittings finished"));
     EXPECT_EQ(program({"verify"}).status, 0);
+}
+
+TEST_F(Observers, AreNotRegisteredByHalf) {
+    const auto nameless =
+        program({"register", "--observer", "", "--consent", "--answer", "acuity=1"});
+    EXPECT_NE(nameless.status, 0);
+    EXPECT_THAT(nameless.err, HasSubstr("or no --observer to draw one"));
+    const auto undecided =
+        program({"register", "--consent", "--answer", "acuity=1", "--answer", "acuity=0.5"});
+    EXPECT_NE(undecided.status, 0);
+    EXPECT_THAT(undecided.err, HasSubstr("has the answer \"1\" already"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "votes.sqlite")) << "a refusal left a store";
+}
+
+TEST_F(Observers, LeaveForAReasonAndSitSoonerForOne) {
+    ASSERT_EQ(program({"session", "--observer", "S1", "--simulate", ""}).status, 0);
+    const auto gone = program({"withdraw", "--observer", "S1", "--reason", " ", "--for-good"});
+    EXPECT_NE(gone.status, 0);
+    EXPECT_THAT(gone.err, HasSubstr("\" \" says nothing, expected a reason"));
+    EXPECT_THAT(program({"observers"}).out, HasSubstr("S1 (SIMULATED): 1 of 1"));
+    EXPECT_THAT(program({"session", "--observer", "P1", "--override-days", ""}).err,
+                HasSubstr("\"\" says nothing, expected a reason"));
+}
+
+TEST_F(Observers, InNeighbouringPlacesSeeEachPairEitherWayRound) {
+    ASSERT_EQ(program({"simulate", "--observers", "4", "--quiet"}).status, 0);
+    const auto votes = *(*experiment::store::open_votes(folder / "votes.sqlite"))->votes();
+    ASSERT_EQ(votes.size(), 4u * pairs_asked);
+    std::map<std::string, int> left_minus_right;
+    for (const auto& vote : votes) {
+        const auto [low, high] = std::minmax(vote.pair.left.value, vote.pair.right.value);
+        left_minus_right[vote.pair.scene.value + ' ' + low + ' ' + high] +=
+            vote.pair.left.value == low ? 1 : -1;
+    }
+    EXPECT_EQ(left_minus_right.size(), static_cast<std::size_t>(pairs_asked));
+    for (const auto& [pair, difference] : left_minus_right)
+        EXPECT_EQ(difference, 0) << pair;
+    // The schedule knows whom an observer mirrors.
+    const auto schedule = program({"schedule", "--observer", "sim-02", "--quiet"}).out;
+    for (const auto& vote : votes)
+        if (vote.observer.value == "sim-02") {
+            EXPECT_THAT(schedule, HasSubstr("main," + vote.pair.scene.value + ",," +
+                                            vote.pair.left.value + "," + vote.pair.right.value));
+        }
 }
 
 TEST_F(Observers, DoNotSitBeforeTheyAreRegistered) {

@@ -1,71 +1,20 @@
 // What happens to a sitting in the real window, and that no vote is lost or invented by it.
-#include "experiment/store/sqlite_store.h"
-#include "tests/end_to_end/program.h"
-#include "tests/end_to_end/small_study.h"
-#include "tests/end_to_end/virtual_screen.h"
+#include "experiment/store/sqlite_database.h"
+#include "tests/end_to_end/watched_sitting.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
+#include <set>
 
 namespace {
 
 using namespace tests;
 using testing::HasSubstr;
+using namespace std::chrono_literals;
 namespace store = experiment::store;
 
-class SessionFaults : public testing::Test {
-  protected:
-    void SetUp() override { write_small_study(study.path()); }
-
-    RunningProgram sitting(const std::string& err = "stderr") {
-        return RunningProgram({PAIRLIGHT_PROGRAM, "session", study.path().string(), "--observer",
-                               "P1", "--window", "640x400"},
-                              study / err);
-    }
-
-    std::optional<store::Sitting> record() const {
-        const auto opened = store::open_votes(study / "votes.sqlite");
-        if (!opened)
-            return std::nullopt;
-        const auto sitting = (*opened)->sitting({{"P1"}, 1});
-        return sitting ? *sitting : std::nullopt;
-    }
-
-    std::size_t votes() const {
-        const auto sitting = record();
-        return sitting ? sitting->votes.size() : 0;
-    }
-
-    bool has_event(const std::string& kind) const {
-        const auto sitting = record();
-        return sitting && std::ranges::find(sitting->events, kind, &store::SittingEvent::kind) !=
-                              sitting->events.end();
-    }
-
-    /// Presses what a sitting waits for until `done`, two minutes at most.
-    template <class Done>
-    bool press_on(RunningProgram& program, Done done) {
-        const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(2);
-        while (program.is_running() && !done() && std::chrono::steady_clock::now() < end)
-            for (const auto* key : {"space", "F9", "Left"})
-                screen.press(key);
-        return done() || !program.is_running();
-    }
-
-    void expect_whole_sitting() const {
-        const auto sitting = record();
-        ASSERT_TRUE(sitting.has_value());
-        EXPECT_TRUE(sitting->finished_utc.has_value());
-        EXPECT_EQ(sitting->votes.size(), static_cast<std::size_t>(pairs_asked));
-        EXPECT_EQ(pairlight({"verify", study.path().string()}).status, 0);
-    }
-
-    VirtualScreen screen{800, 600};
-    TemporaryFolder study;
-};
+using SessionFaults = WatchedSitting;
 
 TEST_F(SessionFaults, ASecondProgramOnTheSameSittingIsRefused) {
     auto program = sitting();
@@ -74,7 +23,7 @@ TEST_F(SessionFaults, ASecondProgramOnTheSameSittingIsRefused) {
         pairlight({"session", study.path().string(), "--observer", "P1", "--window", "640x400"});
     EXPECT_NE(second.status, 0);
     EXPECT_THAT(second.err, HasSubstr("is taking place in another program"));
-    ASSERT_TRUE(press_on(program, [] { return false; }));
+    ASSERT_TRUE(press_to_the_end(program));
     expect_whole_sitting();
 }
 
@@ -82,7 +31,7 @@ TEST_F(SessionFaults, AWindowResizedInMidTrialPausesTheSitting) {
     auto program = sitting();
     ASSERT_TRUE(press_on(program, [&] { return votes() >= 1; }));
     run({"xdotool", "search", "--name", "Pairlight session", "windowsize", "700", "500"});
-    ASSERT_TRUE(press_on(program, [] { return false; }));
+    ASSERT_TRUE(press_to_the_end(program));
     EXPECT_EQ(program.status(), 0) << read_file(study / "stderr");
     EXPECT_TRUE(has_event("display_changed"));
     expect_whole_sitting();
@@ -92,14 +41,14 @@ TEST_F(SessionFaults, AWindowTooSmallForThePicturesEndsTheSittingAndKeepsItsVote
     auto program = sitting();
     ASSERT_TRUE(press_on(program, [&] { return votes() >= 2; }));
     run({"xdotool", "search", "--name", "Pairlight session", "windowsize", "300", "200"});
-    ASSERT_TRUE(press_on(program, [] { return false; }));
+    ASSERT_TRUE(press_to_the_end(program));
     EXPECT_EQ(program.status(), 1);
     EXPECT_THAT(read_file(study / "stderr"), HasSubstr("pictures are never scaled"));
     const auto before = votes();
     EXPECT_GE(before, 2u);
     EXPECT_LT(before, static_cast<std::size_t>(pairs_asked));
     auto again = sitting("stderr2");
-    ASSERT_TRUE(press_on(again, [] { return false; }));
+    ASSERT_TRUE(press_to_the_end(again));
     expect_whole_sitting();
 }
 
@@ -113,7 +62,7 @@ TEST_F(SessionFaults, AStimulusThatChangesEndsTheSittingAndKeepsItsVotes) {
             const auto path = study / fmt::format("stimuli/{}/{}.png", scene, condition);
             write_file(path, read_file(path) + "x");
         }
-    ASSERT_TRUE(press_on(program, [] { return false; }));
+    ASSERT_TRUE(press_to_the_end(program));
     EXPECT_EQ(program.status(), 1);
     EXPECT_THAT(read_file(study / "stderr"), HasSubstr("was changed while the sitting took place"));
     EXPECT_LT(votes(), static_cast<std::size_t>(pairs_asked));
@@ -121,7 +70,66 @@ TEST_F(SessionFaults, AStimulusThatChangesEndsTheSittingAndKeepsItsVotes) {
     EXPECT_EQ(pairlight({"verify", study.path().string()}).status, 0);
     write_small_study(study.path());
     auto again = sitting("stderr2");
-    ASSERT_TRUE(press_on(again, [] { return false; }));
+    ASSERT_TRUE(press_to_the_end(again));
+    expect_whole_sitting();
+}
+
+TEST_F(SessionFaults, AStimulusThatIsGoneEndsTheSittingAndKeepsItsVotes) {
+    auto program = sitting();
+    ASSERT_TRUE(press_on(program, [&] { return votes() >= 1; }));
+    std::filesystem::remove_all(study / "stimuli");
+    ASSERT_TRUE(press_to_the_end(program));
+    EXPECT_EQ(program.status(), 1);
+    EXPECT_THAT(read_file(study / "stderr"), HasSubstr(".png: cannot be read: No such file"));
+    EXPECT_LT(votes(), static_cast<std::size_t>(pairs_asked));
+    EXPECT_GE(votes(), 1u);
+    EXPECT_EQ(pairlight({"verify", study.path().string()}).status, 0);
+    write_small_study(study.path());
+    auto again = sitting("stderr2");
+    ASSERT_TRUE(press_to_the_end(again));
+    expect_whole_sitting();
+}
+
+TEST_F(SessionFaults, AStoreThatAnotherProgramHoldsEndsTheSittingAndKeepsItsVotes) {
+    auto program = sitting();
+    ASSERT_TRUE(press_on(program, [&] { return votes() >= 1; }));
+    const auto before = votes();
+    {
+        store::SqliteDatabase other(study / "votes.sqlite", store::WhenMissing::Fail);
+        other.execute("BEGIN IMMEDIATE");
+        ASSERT_TRUE(press_to_the_end(program));
+    }
+    EXPECT_EQ(program.status(), 1);
+    EXPECT_THAT(read_file(study / "stderr"), HasSubstr("another program is writing to it"));
+    EXPECT_GE(votes(), before);
+    EXPECT_LT(votes(), static_cast<std::size_t>(pairs_asked));
+    auto again = sitting("stderr2");
+    ASSERT_TRUE(press_to_the_end(again));
+    expect_whole_sitting();
+}
+
+// Ten times, on the pages, in the training, the adaptation and the main trials alike: what counts
+// is not where a program dies but what it had written, and every one of those places has a test of
+// its own with the power failing (Conduct.LosesAndInventsNoVoteWhereverThePowerFails).
+TEST_F(SessionFaults, AProgramKilledAgainAndAgainLosesAndInventsNoVote) {
+    std::set<int> answered;
+    for (int kill = 0; kill < 10; ++kill) {
+        auto program = sitting();
+        const auto end = std::chrono::steady_clock::now() + 700ms * (kill + 1);
+        ASSERT_TRUE(press_on(program, [&] { return std::chrono::steady_clock::now() >= end; }));
+        if (!program.is_running())
+            break;
+        program.kill_at_once();
+        std::set<int> now;
+        if (const auto sitting = record())
+            for (const auto& vote : sitting->votes) {
+                EXPECT_TRUE(now.insert(vote.trial).second) << "trial " << vote.trial << " twice";
+            }
+        EXPECT_TRUE(std::ranges::includes(now, answered)) << "a vote is gone";
+        answered = now;
+    }
+    auto last = sitting("stderr2");
+    ASSERT_TRUE(press_to_the_end(last));
     expect_whole_sitting();
 }
 
@@ -130,17 +138,17 @@ TEST_F(SessionFaults, AWindowTornDownFromOutsideTakesNoVoteWithIt) {
     ASSERT_TRUE(press_on(program, [&] { return votes() >= 1; }));
     const auto before = votes();
     run({"xdotool", "search", "--name", "Pairlight session", "windowclose"});
-    ASSERT_TRUE(press_on(program, [] { return false; }));
+    ASSERT_TRUE(press_to_the_end(program));
     EXPECT_GE(votes(), before);
     EXPECT_EQ(pairlight({"verify", study.path().string()}).status, 0);
     auto again = sitting("stderr2");
-    ASSERT_TRUE(press_on(again, [] { return false; }));
+    ASSERT_TRUE(press_to_the_end(again));
     expect_whole_sitting();
 }
 
 TEST_F(SessionFaults, EverySittingHasItsStimuliAndItsTimingOnRecord) {
     auto program = sitting();
-    ASSERT_TRUE(press_on(program, [] { return false; }));
+    ASSERT_TRUE(press_to_the_end(program));
     expect_whole_sitting();
     EXPECT_TRUE(has_event("stimuli"));
     const auto sitting = record();

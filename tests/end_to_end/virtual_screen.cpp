@@ -74,6 +74,30 @@ renderer::imaging::EncodedImage VirtualScreen::photograph() const {
     return read->image;
 }
 
+Typist::Typist() {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0)
+        throw std::runtime_error("no pipe");
+    process_ = fork();
+    if (process_ == 0) {
+        dup2(ends[0], STDIN_FILENO);
+        become({"xdotool", "-"});
+    }
+    close(ends[0]);
+    commands_ = ends[1];
+}
+
+Typist::~Typist() {
+    close(commands_); // its input ends, and so does it
+    waitpid(process_, nullptr, 0);
+}
+
+void Typist::press(const std::string& key) {
+    const auto command = "key --delay 0 " + key + "\n";
+    if (write(commands_, command.data(), command.size()) != static_cast<ssize_t>(command.size()))
+        throw std::runtime_error("xdotool takes no commands");
+}
+
 RunningProgram::RunningProgram(const std::vector<std::string>& command, const std::string& err_file)
     : process_(fork()) {
     if (process_ != 0)

@@ -27,6 +27,21 @@ class VirtualScreen {
     pid_t server_ = -1;
 };
 
+/// Somebody at the keyboard all the time: keys without starting a program for each.
+class Typist {
+  public:
+    Typist();
+    ~Typist();
+    Typist(const Typist&) = delete;
+    Typist& operator=(const Typist&) = delete;
+
+    void press(const std::string& key);
+
+  private:
+    pid_t process_ = -1;
+    int commands_ = -1;
+};
+
 /// A program running beside the test.
 class RunningProgram {
   public:

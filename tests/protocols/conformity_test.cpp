@@ -25,6 +25,8 @@ Study laboratory() {
     study.room = {120, 0.01, 0.01, 0.15, 10, 20, "D65"};
     study.display.screen_width_mm = 600;
     study.display.distance_mm = 700;
+    study.plan.easy_pair = {{{"0"}, {"3"}}};
+    study.plan.hard_pair = {{{"0"}, {"1"}}};
     return study;
 }
 

@@ -52,4 +52,12 @@ TEST(ViewingDistance, OfOneArcMinuteAPixelIsSixtyPixelsADegree) {
     EXPECT_NEAR(pixels_per_degree(1000, 0.290888), 60, 1e-4);
 }
 
+TEST(Room, TellsOnlyWhatIsRecorded) {
+    EXPECT_EQ(text_of(Room{}), "");
+    Room room;
+    room.black_ratio = 0.01;
+    room.background_white = "D65";
+    EXPECT_EQ(text_of(room), "black_ratio=0.01; background_white=D65");
+}
+
 } // namespace

@@ -72,6 +72,19 @@ RC_GTEST_PROP(Practice, KeepsScenesApartWheneverThatCanBe, (std::uint64_t seed))
         RC_ASSERT(equal_neighbours(questions, drawn, next_scene) == 0);
 }
 
+TEST(Practice, PutsWhatIsWantedWhereItIsWanted) {
+    const auto questions = questions_of({4, 4, 4});
+    const Wanted wanted{{1, [](const Question& question) { return question.variant == 2; }},
+                        {3, [](const Question& question) { return question.variant == 3; }}};
+    auto stream = rng(1);
+    for (int i = 0; i < 50; ++i) {
+        const auto drawn = draw_practice(questions, everything(questions), 4, {}, stream, wanted);
+        EXPECT_EQ(questions[drawn[1]].variant, 2);
+        EXPECT_EQ(questions[drawn[3]].variant, 3);
+        EXPECT_EQ(equal_neighbours(questions, drawn, {}), 0);
+    }
+}
+
 TEST(Practice, DrawsFromItsPoolOnly) {
     const auto questions = questions_of({4, 4});
     const std::vector<std::size_t> pool{1, 2, 6};

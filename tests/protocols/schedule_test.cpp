@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -117,6 +118,57 @@ TEST(Schedule, OfAnEvenSessionMirrorsTheSidesOfTheOneBefore) {
     EXPECT_NE(schedule(study, 1).sides_seed, schedule(study, 3).sides_seed);
 }
 
+/// How much more often each question's first condition, by name, was left than right over a panel
+/// in which every second observer mirrors the one before.
+std::map<std::array<std::string, 4>, int> left_minus_right(const Study& study, int observers) {
+    std::map<std::array<std::string, 4>, int> difference;
+    for (int person = 0; person < observers; ++person)
+        for (int session = 1; session <= study.plan.sessions; ++session) {
+            std::optional<ObserverId> partner;
+            if (person % 2 == 1)
+                partner = ObserverId{"P" + std::to_string(person - 1)};
+            const auto made =
+                make_schedule(study, {"P" + std::to_string(person)}, session, partner).value();
+            for (const auto& trial : trials(made, Phase::Main))
+                difference[question(trial)] += trial.left < trial.right ? 1 : -1;
+        }
+    return difference;
+}
+
+TEST(Schedule, OfTwoPartnersAsksEachQuestionAsOftenOneWayRoundAsTheOther) {
+    for (const int sessions : {1, 2, 3}) {
+        auto study = design(3, 3, 4);
+        study.plan.sessions = sessions;
+        for (const int observers : {2, 10}) {
+            const auto differences = left_minus_right(study, observers);
+            EXPECT_EQ(differences.size(), 54u);
+            for (const auto& [asked, difference] : differences)
+                EXPECT_EQ(difference, 0) << asked[0] << ' ' << asked[2] << ' ' << asked[3];
+        }
+    }
+}
+
+TEST(Schedule, OfAnOddPanelIsBalancedToOne) {
+    for (const int sessions : {1, 2, 3}) {
+        auto study = design(3, 3, 4);
+        study.plan.sessions = sessions;
+        const auto differences = left_minus_right(study, 9);
+        EXPECT_EQ(differences.size(), 54u);
+        for (const auto& [asked, difference] : differences)
+            EXPECT_EQ(std::abs(difference), sessions % 2) << asked[0];
+    }
+}
+
+TEST(Schedule, OfAPartnerKeepsItsOwnOrder) {
+    const auto study = design(3, 3, 4);
+    const auto alone = schedule(study, 3);
+    const auto paired = make_schedule(study, observer, 3, ObserverId{"P9"}).value();
+    EXPECT_EQ(paired.order_seed, alone.order_seed);
+    EXPECT_EQ(paired.sides_seed, schedule(study, 3, {"P9"}).sides_seed);
+    EXPECT_EQ(questions(trials(paired, Phase::Main)), questions(trials(alone, Phase::Main)));
+    expect_balanced_sides(trials(paired, Phase::Main));
+}
+
 TEST(Schedule, ShowsAQuestionAskedTwiceOnceOnEitherSide) {
     std::map<std::array<std::string, 4>, std::set<std::string>> lefts;
     for (const auto& trial : trials(schedule(design(3, 3, 4, 2)), Phase::Main))
@@ -139,6 +191,32 @@ TEST(Schedule, WarmsUpWithMainQuestionsThatDoNotComeNext) {
             EXPECT_EQ(std::count(main.begin(), main.end(), warm_up), 1);
         }
     }
+}
+
+TEST(Schedule, PractisesAnEasyAndAHardPairWhereTheStudyNamesThem) {
+    auto study = design(3, 3, 4);
+    study.plan.easy_pair = {{{"c3"}, {"c0"}}};
+    study.plan.hard_pair = {{{"c1"}, {"c2"}}};
+    std::set<std::ptrdiff_t> places;
+    for (int person = 0; person < 40; ++person) {
+        const auto training =
+            trials(schedule(study, 1, {"P" + std::to_string(person)}), Phase::Training);
+        ASSERT_EQ(training.size(), 4u);
+        const auto is_of = [](const char* low, const char* high) {
+            return [=](const Trial& trial) {
+                return question(trial)[2] == low && question(trial)[3] == high;
+            };
+        };
+        const auto easy = std::ranges::find_if(training, is_of("c0", "c3"));
+        EXPECT_NE(easy, training.end());
+        EXPECT_TRUE(std::ranges::any_of(training, is_of("c1", "c2")));
+        places.insert(easy - training.begin());
+    }
+    EXPECT_EQ(places.size(), 4u); // 40 draws miss one of four places in 4 of 100,000 panels
+    study.plan.training = 1;
+    EXPECT_EQ(question(trials(schedule(study), Phase::Training)[0])[3], "c3");
+    study.plan.training = 0;
+    EXPECT_TRUE(trials(schedule(study), Phase::Training).empty());
 }
 
 TEST(Schedule, KeepsTheMainTrialsWhenTrainingAndWarmUpsChange) {

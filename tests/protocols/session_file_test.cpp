@@ -56,6 +56,38 @@ TEST(SessionTables, SayHowPairsAreShownAndAnswered) {
     EXPECT_EQ(all_questions(*study).size(), 1u); // x and y; nothing is compared with the reference
 }
 
+TEST(SessionTables, SayWhatIsPractisedAndHowLongAnAnswerIsWaitedFor) {
+    const auto study = parsed("[session]\neasy_pair = [\"x\", \"z\"]\nhard_pair = [\"y\", \"x\"]\n"
+                              "deadline_s = 10\nafter_deadline = \"missing\"\n");
+    ASSERT_TRUE(study) << study.error();
+    EXPECT_EQ(study->plan.easy_pair, (ConditionPair{ConditionId{"x"}, ConditionId{"z"}}));
+    EXPECT_EQ(study->plan.hard_pair, (ConditionPair{ConditionId{"y"}, ConditionId{"x"}}));
+    EXPECT_EQ(study->plan.deadline_s, 10);
+    EXPECT_EQ(study->plan.after_deadline, AfterDeadline::Missing);
+    EXPECT_EQ(parsed("")->plan.deadline_s, 0);
+    EXPECT_EQ(parsed("")->plan.after_deadline, AfterDeadline::Again);
+}
+
+TEST(SessionTables, RefuseToPractiseWhatIsNeverCompared) {
+    for (const auto* pair : {"[\"x\"]", "[\"x\", \"x\"]", "[\"x\", \"y\", \"z\"]"})
+        EXPECT_THAT(parsed(std::string("[session]\neasy_pair = ") + pair + "\n").error(),
+                    HasSubstr("expected the ids of two conditions"));
+    EXPECT_THAT(parsed("[session]\nhard_pair = [\"x\", \"w\"]\n").error(),
+                HasSubstr("'w' in easy_pair or hard_pair"));
+    EXPECT_THAT(parsed("[session]\nreference = \"z\"\nhard_pair = [\"x\", \"z\"]\n").error(),
+                HasSubstr("'z' in easy_pair or hard_pair"));
+}
+
+TEST(Scenes, OfOwnImagesMayHaveSizesOfTheirOwn) {
+    const std::string scene = "[[scene]]\nid = \"b\"\n";
+    const auto study = parsed(scene + "width = 300\nheight = 100\n");
+    ASSERT_TRUE(study) << study.error();
+    const auto sizes = picture_sizes(*study);
+    EXPECT_EQ(sizes.at({"a"}), (PictureSize{16, 16}));
+    EXPECT_EQ(sizes.at({"b"}), (PictureSize{300, 100}));
+    EXPECT_THAT(parsed(scene + "width = 300\n").error(), HasSubstr("expected both or neither"));
+}
+
 TEST(SessionTables, RefuseAReferenceThatIsNothingOrLeavesNothing) {
     EXPECT_THAT(parsed("[session]\nreference = \"w\"\n").error(),
                 HasSubstr("reference 'w' in [session] is no [[condition]]"));

@@ -96,6 +96,64 @@ TEST(ReportFacts, TellWhatIsOnRecord) {
               "65\u00a0% identical answers, by chance 50\u00a0%");
 }
 
+TEST(ReportFacts, TakeTheTimingGradeFromTheEndOfASitting) {
+    auto records = two_sittings();
+    records.sittings[0].events.push_back(
+        {"timing", "grade=C; frames=200; late=4; refreshes_missed=5", 0, ""});
+    records.sittings[0].events.push_back( // stopped, and taken up again
+        {"timing", "grade=B; frames=100; late=0; refreshes_missed=0", 0, ""});
+    records.sittings[1].events.push_back(
+        {"timing", "grade=U; frames=200; late=0; refreshes_missed=0", 0, ""});
+    auto contents = report_contents(records, shared_experiment().findings, "");
+    EXPECT_EQ(contents.sittings[0].timing_grade, "C"); // A was promised
+    EXPECT_EQ(contents.sittings[0].late_frames, "4 of 300");
+    EXPECT_EQ(contents.sittings[1].timing_grade, "U");
+    EXPECT_EQ(contents.sittings[1].late_frames, "");
+    EXPECT_EQ(value_of(contents, "Sessions as held", "Timing grade"),
+              "C (1 session)\nU (1 session)");
+    EXPECT_EQ(value_of(contents, "Sessions as held", "Frames late"),
+              "4 of 300, not verifiable in 1 session (grade U)");
+    contents = contents_under_test(); // neither has come to its end
+    EXPECT_EQ(contents.sittings[0].timing_grade, "A");
+    EXPECT_EQ(value_of(contents, "Sessions as held", "Frames late"), std::nullopt);
+}
+
+TEST(ReportFacts, TellOfTheRoomAndTheDisplayWhatIsRecorded) {
+    auto records = two_sittings();
+    records.study.room.peak_cd_m2 = 120;
+    records.study.room.ambient_lux = 15;
+    records.study.display.distance_mm = 700;
+    records.sittings[0].start.display = "screen=full; pixels_per_degree=44.1";
+    records.sittings[1].start.display = "screen=full; pixels_per_degree=38.5";
+    records.sittings[0].events.push_back({"room", "peak_cd_m2=118", 0, ""});
+    const auto contents = report_contents(records, shared_experiment().findings, "");
+    const auto* heading = "Display and room";
+    EXPECT_EQ(value_of(contents, heading, "Peak and black luminance"), "white 120 cd/m\u00b2");
+    EXPECT_EQ(value_of(contents, heading, "Room illuminance"), "15 lux");
+    EXPECT_EQ(value_of(contents, heading, "Room, as recorded with the sessions"), "peak_cd_m2=118");
+    EXPECT_EQ(value_of(contents, heading, "Viewing distance"),
+              "700 mm, pixels per degree: 38.5 (1 session)\n44.1 (1 session)");
+    EXPECT_EQ(value_of(contents, heading, "Background ratio and chromaticity"), std::nullopt);
+}
+
+TEST(ReportFacts, TellOfTheObserversWhatTheyAnsweredLast) {
+    auto records = two_sittings();
+    records.answers[{"O01"}] = {{"age", "20-24", ""},
+                                {"age", "25-29", ""},
+                                {"acuity", "1", ""},
+                                {"screening", "passed", ""},
+                                {"place", "0", ""}};
+    records.answers[{"O02"}] = {{"age", "25-29", ""}, {"screening", "failed: acuity", ""}};
+    records.screened = {{"O01"}};
+    const auto contents = report_contents(records, shared_experiment().findings, "");
+    EXPECT_EQ(contents.screened, 1u);
+    EXPECT_EQ(value_of(contents, "Observers", "Ages, sex"), "age 25-29: 2");
+    EXPECT_EQ(value_of(contents, "Observers", "Vision tests"), "decimal acuity 1: 1");
+    EXPECT_EQ(value_of(contents, "Observers", "Screened, excluded"),
+              "1 passed and finished a sitting (failed: acuity: 1; passed: 1); nobody is left out "
+              "of the analyses");
+}
+
 TEST(ReportFacts, LeaveOpenWhatIsNot) {
     const auto contents = contents_under_test();
     EXPECT_EQ(value_of(contents, "Observers", "Vision tests"), std::nullopt);

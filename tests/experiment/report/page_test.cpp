@@ -31,7 +31,7 @@ int count(const std::string& text, const std::string& piece) {
 
 ReportContents with_everything() {
     auto contents = shared_experiment();
-    contents.sittings = {{"O01", 1, "2026-11-20", "12 min 5 s", 54, "A", "0a", "0b", false}};
+    contents.sittings = {{"O01", 1, "2026-11-20", "12 min 5 s", 54, "A", "", "0a", "0b", false}};
     contents.thumbnails = {{{{"Dragon"}, {"back"}, {"SHSS"}}, "not really a PNG", 32, 24}};
     contents.brightness = {{{{"Dragon"}, {"back"}, {"SHSS"}}, 0.1, 0.125, 1.25, 0.0004}};
     contents.facts = {{"Design", {{"Order", "no two neighbours share a scene"}, {"Room", {}}}}};
@@ -99,6 +99,9 @@ TEST(ReportPage, IsInformalWithFewerThanFifteenObservers) {
     auto contents = shared_experiment();
     EXPECT_THAT(page_of(contents), HasSubstr("informal study (fewer than 15 observers)"));
     contents.findings.design.observers.resize(15, "one more");
+    EXPECT_THAT(page_of(contents),
+                HasSubstr("informal study (fewer than 15 observers passed a screening)"));
+    contents.screened = 15;
     EXPECT_THAT(page_of(contents), Not(HasSubstr("informal study")));
 }
 

@@ -183,8 +183,27 @@ TEST_F(Conduct, GoesOnWithTheSamePlanOnly) {
     InterruptedScreen screen(within, clock, 4, false);
     auto request = simulated("S1");
     ASSERT_TRUE(conduct(request, *store, screen, clock));
-    std::swap(request.schedule.trials[3].trial.left, request.schedule.trials[3].trial.right);
+    std::swap(request.schedule.trials[3].trial, request.schedule.trials[4].trial);
     EXPECT_THAT(simulate(request, *store).error(), HasSubstr("with another plan"));
+}
+
+// Whose sides an observer mirrors may change when somebody leaves; the plan that was begun stands.
+TEST_F(Conduct, GoesOnWithTheSidesItBeganWith) {
+    const auto store = open();
+    VirtualClock clock(morning);
+    SimulatedScreen within(observer_, "glow", {"S1"}, 1, clock);
+    InterruptedScreen screen(within, clock, 4, false);
+    auto request = simulated("S1");
+    const auto begun = request.schedule.trials;
+    ASSERT_TRUE(conduct(request, *store, screen, clock));
+    for (auto& planned : request.schedule.trials)
+        std::swap(planned.trial.left, planned.trial.right);
+    ASSERT_TRUE(simulate(request, *store));
+    const auto votes = *store->votes();
+    ASSERT_THAT(votes, SizeIs(3));
+    for (const auto& vote : votes)
+        EXPECT_EQ(vote.pair, begun[static_cast<std::size_t>(vote.trial - 1)].trial);
+    EXPECT_THAT(*store->verify(), IsEmpty());
 }
 
 TEST_F(Conduct, KeepsSittingsOfAPersonDaysApart) {

@@ -24,6 +24,17 @@ class FailingStore final : public store::VoteStore {
         return if_good([&] { return within_.add_observer(id, utc); });
     }
 
+    Expected<void> take_place(const protocols::ObserverId& id,
+                              store::ObserverKind kind,
+                              const std::string& utc) override {
+        return if_good([&] { return within_.take_place(id, kind, utc); });
+    }
+
+    Expected<std::optional<protocols::ObserverId>>
+    partner(const protocols::ObserverId& observer, store::ObserverKind kind) const override {
+        return within_.partner(observer, kind);
+    }
+
     Expected<void> begin_sitting(const store::SittingStart& start,
                                  std::span<const protocols::PlannedTrial> plan) override {
         return if_good([&] { return within_.begin_sitting(start, plan); });

@@ -13,6 +13,9 @@ PairView pair(int number, const std::string& left, const std::string& right) {
     return {number, {{"bunny"}, {"back"}, {left}, {right}}};
 }
 
+const std::map<protocols::SceneId, protocols::PictureSize> sizes{{{"bunny"}, {4, 4}},
+                                                                 {{"torus"}, {5, 4}}};
+
 class PairCacheTest : public testing::Test {
   protected:
     void SetUp() override { ASSERT_TRUE(context_) << context_.error(); }
@@ -33,7 +36,7 @@ class PairCacheTest : public testing::Test {
 };
 
 TEST_F(PairCacheTest, LoadsEachPairOnce) {
-    PairCache cache(load(), 4, 4);
+    PairCache cache(load(), sizes);
     cache.prepare(pair(1, "green", "phong"));
     cache.prepare(pair(1, "green", "phong"));
     ASSERT_TRUE(cache.get(pair(1, "green", "phong")));
@@ -44,20 +47,29 @@ TEST_F(PairCacheTest, LoadsEachPairOnce) {
 }
 
 TEST_F(PairCacheTest, GivesAPairThatWasNeverPrepared) {
-    PairCache cache(load(), 4, 4);
+    PairCache cache(load(), sizes);
     const auto got = cache.get(pair(7, "green", "phong"));
     ASSERT_TRUE(got);
     EXPECT_EQ((*got)->left.width(), 4);
 }
 
 TEST_F(PairCacheTest, RefusesAPictureOfAnotherSize) {
-    PairCache cache(load(), 4, 4);
+    PairCache cache(load(), sizes);
     EXPECT_EQ(cache.get(pair(1, "green", "large")).error(),
               "bunny/back/large: the picture has 5 x 4 pixels, expected 4 x 4");
 }
 
+TEST_F(PairCacheTest, KnowsTheSizeOfEachScenesPictures) {
+    PairCache cache(load(), sizes);
+    const auto got = cache.get({1, {{"torus"}, {"back"}, {"large"}, {"large"}}});
+    ASSERT_TRUE(got) << got.error();
+    EXPECT_EQ((*got)->left.width(), 5);
+    EXPECT_EQ(cache.get({2, {{"torus"}, {"back"}, {"green"}, {"large"}}}).error(),
+              "torus/back/green: the picture has 4 x 4 pixels, expected 5 x 4");
+}
+
 TEST_F(PairCacheTest, SaysWhyAPictureCannotBeLoaded) {
-    PairCache cache(load(), 4, 4);
+    PairCache cache(load(), sizes);
     cache.prepare(pair(1, "lost", "green"));
     cache.upload_what_is_ready();
     EXPECT_THAT(cache.get(pair(1, "lost", "green")).error(), HasSubstr("there is no such file"));

@@ -208,4 +208,69 @@ TEST(ALongSitting, CanBeStoppedAndTakenUpAgain) {
     EXPECT_EQ(sitting.diary().back(), "63000 end stopped");
 }
 
+SittingScript hurried(protocols::AfterDeadline after) {
+    auto script = short_script();
+    script.plan.deadline_s = 2;
+    script.plan.after_deadline = after;
+    return script;
+}
+
+TEST(ADeadline, LetsAPairComeOnceMoreLaterAndThenStayUnanswered) {
+    auto sitting = at_first_main(hurried(protocols::AfterDeadline::Again)); // onset at 8410
+    sitting.wait_until(10409);
+    EXPECT_THAT(sitting.news(), IsEmpty());
+    sitting.wait_until(10410);
+    EXPECT_THAT(sitting.news(), ElementsAre("10410 event deadline trial 3", "10410 grey"));
+    sitting.wait_until(10910);
+    sitting.press(11500, Key::Left); // number 4
+    sitting.wait_until(12000);
+    sitting.press(12500, Key::Left); // number 5
+    sitting.wait_until(13000);       // number 3 again, onset at 13010
+    EXPECT_THAT(sitting.news(), Contains(HasSubstr("shown 3 #2")));
+    sitting.wait_until(15010);
+    EXPECT_THAT(sitting.news(), ElementsAre("15010 event deadline trial 3", "15010 event missing 3",
+                                            "15010 finish", HasSubstr("page # Thank you")));
+    EXPECT_EQ(sitting.sitting().standing(std::chrono::seconds(15)).answered, 2);
+}
+
+TEST(ADeadline, LeavesAPairUnansweredWhereTheStudyWantsThat) {
+    auto sitting = at_first_main(hurried(protocols::AfterDeadline::Missing));
+    sitting.wait_until(10410);
+    EXPECT_THAT(sitting.news(),
+                ElementsAre("10410 event deadline trial 3", "10410 event missing 3", "10410 grey"));
+    sitting.wait_until(10910);
+    EXPECT_THAT(sitting.news(), Contains(HasSubstr("pair 4")));
+}
+
+TEST(ADeadline, TakesTheAnswerThatComesJustBeforeItAndNoneThatComesAt) {
+    auto before = at_first_main(hurried(protocols::AfterDeadline::Missing));
+    before.press(10409, Key::Left);
+    EXPECT_THAT(before.news(), Contains(HasSubstr("vote 3 left 1999 ms")));
+    auto after = at_first_main(hurried(protocols::AfterDeadline::Missing));
+    after.press(10410, Key::Left);
+    EXPECT_THAT(after.news(), Contains(HasSubstr("event missing 3")));
+}
+
+TEST(ADeadline, PassesOverAPairOfThePractice) {
+    ScriptedSitting sitting(hurried(protocols::AfterDeadline::Again));
+    sitting.press(2000, Key::Forward);
+    sitting.press(4000, Key::Forward);
+    sitting.wait_until(4500); // onset at 4510
+    sitting.news();
+    sitting.wait_until(6510);
+    EXPECT_THAT(sitting.news(),
+                ElementsAre("6510 event deadline trial 1", HasSubstr("page # Any questions?")));
+}
+
+TEST(Resumption, DoesNotAskAgainWhatIsOnRecordAsMissing) {
+    Progress progress;
+    progress.training_done = true;
+    progress.voted = {4};
+    progress.missing = {3};
+    const ScriptedSitting sitting(short_script(), progress);
+    const auto standing = sitting.sitting().standing(std::chrono::seconds(0));
+    EXPECT_EQ(standing.answered, 1);
+    EXPECT_EQ(standing.main, 2); // number 5 is still to come
+}
+
 } // namespace

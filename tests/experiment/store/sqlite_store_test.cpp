@@ -192,6 +192,66 @@ TEST_F(SqliteStore, FinishesNoSittingWithOpenTrials) {
                 HasSubstr("2 main trial(s) have no vote, the first is number 3"));
 }
 
+TEST_F(SqliteStore, FinishesASittingWhoseMissingVotesAreOnRecordAndTakesNoneForThem) {
+    const auto store = begun();
+    for (const int trial : {3, 4, 5})
+        ASSERT_TRUE(store->append_shown(p1_, shown(trial)));
+    for (const int trial : {3, 5})
+        ASSERT_TRUE(store->append_vote(p1_, vote(trial, Choice::Left)));
+    EXPECT_THAT(store->finish_sitting(p1_, "").error(), HasSubstr("1 main trial(s) have no vote"));
+    ASSERT_TRUE(store->append_event(p1_, {std::string(missing_vote), "4", 0, ""}));
+    EXPECT_THAT(store->append_vote(p1_, vote(4, Choice::Left)).error(),
+                HasSubstr("has trial 4 on record as missing"));
+    ASSERT_TRUE(store->finish_sitting(p1_, ""));
+    EXPECT_THAT(store->votes()->size(), 2u);
+    EXPECT_THAT(*store->verify(), IsEmpty());
+}
+
+TEST_F(SqliteStore, LetsEverySecondObserverMirrorTheOneBefore) {
+    const auto store = open();
+    const auto partner = [&](const std::string& observer,
+                             ObserverKind kind = ObserverKind::Person) {
+        const auto found = store->partner({observer}, kind);
+        EXPECT_TRUE(found) << found.error();
+        return *found ? (*found)->value : "nobody";
+    };
+    const auto join = [&](const std::string& observer, ObserverKind kind = ObserverKind::Person) {
+        ASSERT_TRUE(store->add_observer({observer}, ""));
+        ASSERT_TRUE(store->take_place({observer}, kind, ""));
+        ASSERT_TRUE(store->take_place({observer}, kind, "")); // changes nothing
+    };
+    EXPECT_EQ(partner("A"), "nobody");
+    for (const auto* observer : {"A", "B", "C"})
+        join(observer);
+    join("S1", ObserverKind::Simulated);
+    EXPECT_EQ(partner("A"), "nobody");
+    EXPECT_EQ(partner("B"), "A");
+    EXPECT_EQ(partner("C"), "nobody");
+    EXPECT_EQ(partner("D"), "C"); // if D joined now
+    EXPECT_EQ(partner("S1"), "nobody");
+    EXPECT_EQ(partner("S2", ObserverKind::Simulated), "S1");
+    EXPECT_THAT(*store->answers({"B"}), IsEmpty()); // a place is no answer
+    // Who leaves makes room for whoever comes next.
+    ASSERT_TRUE(store->withdraw({"A"}, "", "wish"));
+    EXPECT_EQ(partner("B"), "nobody");
+    join("E");
+    EXPECT_EQ(partner("B"), "E");
+    EXPECT_EQ(partner("D"), "C");
+    EXPECT_THAT(store->take_place({"X"}, ObserverKind::Person, "").error(),
+                HasSubstr("knows no observer X"));
+    EXPECT_THAT(*store->verify(), IsEmpty());
+}
+
+// As in a store from before there were places: who has begun alone goes on alone.
+TEST_F(SqliteStore, GivesNoPlaceToWhomHasBegunWithoutOne) {
+    const auto store = begun();
+    ASSERT_TRUE(store->take_place({"P1"}, ObserverKind::Person, ""));
+    EXPECT_EQ(*store->partner({"P1"}, ObserverKind::Person), std::nullopt);
+    ASSERT_TRUE(store->add_observer({"P2"}, ""));
+    ASSERT_TRUE(store->take_place({"P2"}, ObserverKind::Person, ""));
+    EXPECT_EQ(*store->partner({"P3"}, ObserverKind::Person), protocols::ObserverId{"P2"});
+}
+
 TEST_F(SqliteStore, VerifiesWhatItWrote) {
     EXPECT_THAT(*finished()->verify(), IsEmpty());
 }

@@ -241,7 +241,7 @@ TEST_F(OpenSitting, LosesNoVoteToAFullDiskAndInventsNone) {
         const FullDisk full(std::filesystem::file_size(file_));
         const SittingEvent long_event{"remark", std::string(3000, 'x'), 0, ""};
         bool failed = false;
-        for (int i = 0; i < 10 && !failed; ++i)
+        for (int i = 0; i < 100 && !failed; ++i)
             failed = !store_->append_event(open_, long_event);
         EXPECT_TRUE(failed) << "the disk was never full";
         for (const int trial : {3, 4, 5})
