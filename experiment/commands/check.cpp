@@ -36,7 +36,7 @@ void say_what_is_asked(const Study& study) {
     const auto pairs = all_questions(study).size();
     fmt::print("{}: {} conditions{}, {} scenes, {} ways to show each: {} pairs a sitting, {}\n",
                study.id, study.conditions.size(),
-               study.plan.reference ? ", one of them the reference," : "", study.scenes.size(),
+               study.plan.reference ? ", one of them the reference" : "", study.scenes.size(),
                shown_variants(study).size(),
                pairs * static_cast<std::size_t>(study.plan.repetitions),
                study.plan.sessions == 1

@@ -1,5 +1,4 @@
 // A recipe is made again from the study and from what the manifest says of model and renderer.
-// and renderer, is the same.
 #include "experiment/stimuli/freshness.h"
 
 #include "experiment/stimuli/own_images.h"
@@ -34,8 +33,8 @@ Expected<void> check_rendered(const LoadedStudy& loaded,
         return refuse("is missing");
     const auto& record = found->second;
     const auto model = record.model.value_or(ModelRecord{});
-    if (record.recipe !=
-        recipe(loaded.study, scene, variant, model, record.renderer, RenderOptions{}.samples))
+    if (record.recipe != recipe(loaded.study, scene, variant, model,
+                                renderer_of_run(record.renderer), RenderOptions{}.samples))
         return refuse("was rendered before the study was changed");
     const auto bytes = read_text_file(file);
     if (!bytes)

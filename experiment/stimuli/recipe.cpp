@@ -10,6 +10,8 @@ namespace experiment::stimuli {
 
 namespace {
 
+const std::string path_tracer = "path tracer, beside ";
+
 std::string described(const protocols::Scene& scene) {
     const auto size = scene.mm_per_unit ? fmt::format("unit {}", *scene.mm_per_unit)
                                         : fmt::format("diameter {}", scene.diameter_mm);
@@ -90,6 +92,14 @@ std::string recipe(const protocols::Study& study,
     for (const auto& condition : study.conditions)
         text += described(condition, scene);
     return protocols::sha256_hexadecimal(text);
+}
+
+std::string path_tracer_beside(const std::string& renderer) {
+    return path_tracer + renderer;
+}
+
+std::string renderer_of_run(const std::string& drawn_by) {
+    return drawn_by.starts_with(path_tracer) ? drawn_by.substr(path_tracer.size()) : drawn_by;
 }
 
 } // namespace experiment::stimuli

@@ -23,4 +23,10 @@ std::string recipe(const protocols::Study& study,
                    const std::string& renderer,
                    int samples);
 
+/// Who drew a picture that the path tracer made in a run with `renderer`, as the manifest has it.
+std::string path_tracer_beside(const std::string& renderer);
+
+/// The renderer of the run in which a picture was made, from who drew it.
+std::string renderer_of_run(const std::string& drawn_by);
+
 } // namespace experiment::stimuli

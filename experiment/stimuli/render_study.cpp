@@ -2,6 +2,7 @@
 // every condition.
 #include "experiment/stimuli/render_study.h"
 
+#include "experiment/reference_dials.h"
 #include "experiment/stimuli/own_images.h"
 #include "experiment/stimuli/recipe.h"
 #include "experiment/stimuli/scene_renderer.h"
@@ -153,8 +154,9 @@ Expected<void> Run::render_scene(const Scene& scene) {
                                    options_.samples);
         for (auto& [picture, record] : *records) {
             record.recipe = cooked;
-            if (record.renderer.empty())
-                record.renderer = renderer_;
+            record.renderer = record.dials.at("method") == reference_method
+                                  ? path_tracer_beside(renderer_)
+                                  : renderer_;
             manifest_.pictures[picture] = std::move(record);
             ++summary_.rendered;
         }

@@ -178,7 +178,7 @@ Expected<SceneRenderer::Drawn> SceneRenderer::draw_reference(const protocols::Co
         return tl::unexpected(
             fmt::format("condition \"{}\": {}", condition.id.value, picture.error()));
     PictureRecord record;
-    record.renderer = fmt::format("path tracer, {} samples, standard error {:.3g} % of the mean",
+    record.decision = fmt::format("{} samples, standard error {:.3g} % of the mean",
                                   picture->samples, 100 * picture->outcome.state.relative_error);
     record.frame_milliseconds = 1000.0 * seconds_since(start);
     return Drawn{{}, std::move(picture->image), std::move(record)};

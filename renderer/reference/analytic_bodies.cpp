@@ -112,6 +112,10 @@ class AnalyticBody final : public Body {
 
 } // namespace
 
+std::shared_ptr<const SunwardDepth> Body::sunward_depth(glm::dvec3) const {
+    return nullptr;
+}
+
 double interior_length(BodyTracer& tracer, glm::dvec3 point, glm::dvec3 direction) {
     double length = 0;
     for (const auto& [begin, end] : tracer.along(point, direction))

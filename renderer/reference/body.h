@@ -39,7 +39,9 @@ class BodyTracer {
     virtual double clearance(glm::dvec3 point) = 0;
 };
 
-/// A closed body; immutable, may be shared by threads.
+class SunwardDepth;
+
+/// A closed body; may be shared by threads.
 class Body {
   public:
     virtual ~Body() = default;
@@ -50,6 +52,10 @@ class Body {
     /// How far a new ray starts from the surface it has just met, along the normal: what keeps it
     /// on its side.  0 where arithmetic is exact enough.
     virtual double offset() const = 0;
+
+    /// Bounds on the length inside toward a unit direction, made once for each direction that is
+    /// asked for; the body must outlive them.  Null where there are none.
+    virtual std::shared_ptr<const SunwardDepth> sunward_depth(glm::dvec3 to_light) const;
 };
 
 /// The length of the ray inside the material.

@@ -21,42 +21,38 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 // Half an edge of the cube that the grid fills: scenes have unit diameter, and rounding.
 constexpr float half_edge = 0.501f;
 
-/// The least, over `line`, of its values plus the squared gap between their cells and each cell.
-void spread_line(std::vector<float>& line, std::vector<float>& result) {
-    const int n = static_cast<int>(line.size());
-    std::fill(result.begin(), result.end(), infinity);
-    for (int from = 0; from < n; ++from) {
-        const float value = line[static_cast<std::size_t>(from)];
-        if (value == infinity)
-            continue;
-        for (int to = 0; to < n; ++to) {
-            const auto gap = static_cast<float>(std::max(std::abs(from - to) - 1, 0));
-            auto& least = result[static_cast<std::size_t>(to)];
-            least = std::min(least, value + gap * gap);
-        }
-    }
-}
+// Bounds are kept in quarters of a cell, rounded down.
+constexpr float steps_in_cell = 4;
 
 } // namespace
 
-Clearance::Clearance(const geometry::RayScene& scene, int cells) : cells_(cells) {
+Clearance::Clearance(const geometry::RayScene& scene, int cells)
+    : cells_(cells), cells_per_unit_(static_cast<float>(cells) / (2 * half_edge)) {
     EXPECTS(cells >= 1 && cells <= 256);
     const auto n = static_cast<std::size_t>(cells);
-    bounds_.assign(n * n * n, infinity);
+    squares_.assign(n * n * n, infinity);
     for (const auto& [a, b, c] : scene.triangles())
         occupy(scene.positions()[a], scene.positions()[b], scene.positions()[c]);
     spread();
+    steps_.reserve(squares_.size());
+    for (const float square : squares_)
+        steps_.push_back(
+            static_cast<std::uint8_t>(std::min(255.0f, steps_in_cell * std::sqrt(square))));
+    squares_ = {};
     // A hair less than the bound: float arithmetic of those who compare with it.
-    const float cell = 2 * half_edge / static_cast<float>(cells) * (1 - 1e-5f);
-    for (auto& bound : bounds_)
-        bound = cell * std::sqrt(bound);
+    step_ = (1 - 1e-5f) / (steps_in_cell * cells_per_unit_);
 }
 
 float Clearance::at(glm::vec3 point) const {
-    const glm::vec3 size = glm::abs(point);
-    if (!(std::max({size.x, size.y, size.z}) < half_edge))
+    const glm::vec3 place = cells_per_unit_ * (point + half_edge);
+    const auto n = static_cast<float>(cells_);
+    const bool is_in_grid =
+        place.x >= 0 && place.x < n && place.y >= 0 && place.y < n && place.z >= 0 && place.z < n;
+    if (!is_in_grid)
         return 0;
-    return bounds_[index(cell_of(point.x), cell_of(point.y), cell_of(point.z))];
+    const std::size_t cell =
+        index(static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.z));
+    return step_ * static_cast<float>(steps_[cell]);
 }
 
 std::size_t Clearance::index(int x, int y, int z) const {
@@ -64,13 +60,12 @@ std::size_t Clearance::index(int x, int y, int z) const {
 }
 
 int Clearance::cell_of(float coordinate) const {
-    const float cell = (coordinate + half_edge) / (2 * half_edge) * static_cast<float>(cells_);
-    return std::clamp(static_cast<int>(cell), 0, cells_ - 1);
+    return std::clamp(static_cast<int>(cells_per_unit_ * (coordinate + half_edge)), 0, cells_ - 1);
 }
 
 /// Marks every cell the triangle touches, and a few it does not: boxes around pieces of it.
 void Clearance::occupy(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
-    const float cell = 2 * half_edge / static_cast<float>(cells_);
+    const float cell = 1 / cells_per_unit_;
     const float ab = glm::distance(a, b), bc = glm::distance(b, c), ca = glm::distance(c, a);
     const float longest = std::max({ab, bc, ca});
     if (longest > cell) {
@@ -89,27 +84,39 @@ void Clearance::occupy(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
     for (int z = cell_of(low.z); z <= cell_of(high.z); ++z)
         for (int y = cell_of(low.y); y <= cell_of(high.y); ++y)
             for (int x = cell_of(low.x); x <= cell_of(high.x); ++x)
-                bounds_[index(x, y, z)] = 0;
+                squares_[index(x, y, z)] = 0;
 }
 
+/// The least, over a line of cells, of their values plus the squared gap between them and each.
 void Clearance::spread() {
-    std::vector<float> line(static_cast<std::size_t>(cells_)), result(line);
-    const auto along = [&](auto&& cell) {
-        for (int i = 0; i < cells_; ++i)
-            line[static_cast<std::size_t>(i)] = bounds_[cell(i)];
-        spread_line(line, result);
-        for (int i = 0; i < cells_; ++i)
-            bounds_[cell(i)] = result[static_cast<std::size_t>(i)];
+    const auto n = static_cast<std::size_t>(cells_);
+    std::vector<float> gaps(2 * n - 1); // gaps[n - 1 + i]: between cells i apart
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+        const int apart = std::abs(static_cast<int>(i) - (cells_ - 1));
+        const auto gap = static_cast<float>(std::max(apart - 1, 0));
+        gaps[i] = gap * gap;
+    }
+    std::vector<float> line(n), result(n);
+    const auto along = [&](std::size_t first, std::size_t stride) {
+        for (std::size_t i = 0; i < n; ++i)
+            line[i] = squares_[first + i * stride];
+        std::fill(result.begin(), result.end(), infinity);
+        for (std::size_t from = 0; from < n; ++from)
+            if (line[from] < infinity)
+                for (std::size_t to = 0; to < n; ++to)
+                    result[to] = std::min(result[to], line[from] + gaps[n - 1 - from + to]);
+        for (std::size_t i = 0; i < n; ++i)
+            squares_[first + i * stride] = result[i];
     };
-    for (int u = 0; u < cells_; ++u)
-        for (int v = 0; v < cells_; ++v)
-            along([&](int i) { return index(i, u, v); });
-    for (int u = 0; u < cells_; ++u)
-        for (int v = 0; v < cells_; ++v)
-            along([&](int i) { return index(u, i, v); });
-    for (int u = 0; u < cells_; ++u)
-        for (int v = 0; v < cells_; ++v)
-            along([&](int i) { return index(u, v, i); });
+    for (std::size_t u = 0; u < n; ++u)
+        for (std::size_t v = 0; v < n; ++v)
+            along((u * n + v) * n, 1);
+    for (std::size_t u = 0; u < n; ++u)
+        for (std::size_t v = 0; v < n; ++v)
+            along(u * n * n + v, n);
+    for (std::size_t u = 0; u < n; ++u)
+        for (std::size_t v = 0; v < n; ++v)
+            along(u * n + v, n * n);
 }
 
 } // namespace renderer::reference

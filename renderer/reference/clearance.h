@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cstdint>
 #include <vector>
 
 namespace renderer::reference {
@@ -12,8 +13,8 @@ namespace renderer::reference {
 /// A grid of lower bounds on the distance to the nearest triangle, in scene coordinates.
 class Clearance {
   public:
-    /// `cells` along an edge of the scene's bounding cube, 1..256; memory is 4 bytes for each cell.
-    explicit Clearance(const geometry::RayScene& scene, int cells = 64);
+    /// `cells` along an edge of the scene's bounding cube, 1..256; memory is a byte for each cell.
+    explicit Clearance(const geometry::RayScene& scene, int cells = 96);
 
     /// Scene units; 0 near the surface, and outside the grid.
     float at(glm::vec3 point) const;
@@ -25,7 +26,10 @@ class Clearance {
     void spread();
 
     int cells_;
-    std::vector<float> bounds_; // while it is built: squared, in cells
+    float cells_per_unit_;
+    float step_ = 0;                  // scene units
+    std::vector<float> squares_;      // while it is built: squared bounds, in cells
+    std::vector<std::uint8_t> steps_; // bounds
 };
 
 } // namespace renderer::reference

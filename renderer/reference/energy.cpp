@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -20,9 +21,18 @@ namespace renderer::reference {
 
 namespace {
 
-constexpr int log2_batch = 6;
-constexpr std::uint64_t batch = 1u << log2_batch;
 constexpr std::uint64_t batches_in_group = 256;
+
+/// Many paths are stratified in large batches, as long as a thousand are left for the error.
+int log2_batch_of(std::uint64_t paths) {
+    const int of_a_thousand = static_cast<int>(std::bit_width(paths >> 10)) - 1;
+    return std::clamp(of_a_thousand, 6, 12);
+}
+
+std::uint64_t batches_of(std::uint64_t paths) {
+    const std::uint64_t batch = std::uint64_t{1} << log2_batch_of(paths);
+    return (paths + batch - 1) / batch;
+}
 
 enum Share : std::size_t { Back, Through, Escape, Absorbed, Roulette, Collisions, shares };
 
@@ -86,11 +96,14 @@ Tally batch_mean(Walk<1>& walk,
                  BodyTracer& tracer,
                  const Setting& setting,
                  std::uint64_t seed,
-                 std::uint64_t number) {
+                 std::uint64_t number,
+                 int log2_batch) {
+    const auto high = static_cast<std::uint32_t>(number >> 32),
+               low = static_cast<std::uint32_t>(number);
+    const Strata strata(seed, high, low);
     double met = 0;
-    for (std::uint32_t sample = 0; sample < batch; ++sample) {
-        PathRandom random({seed, static_cast<std::uint32_t>(number >> 32),
-                           static_cast<std::uint32_t>(number), sample, log2_batch});
+    for (std::uint32_t sample = 0; sample < (1u << log2_batch); ++sample) {
+        PathRandom random({seed, high, low, sample, log2_batch}, strata);
         if (const auto path = setting.start(random, tracer)) {
             walk.follow(*path, random);
             ++met;
@@ -107,11 +120,12 @@ Sums group_sums(const Setting& setting, const EnergyRun& run, std::uint64_t grou
     const auto tracer = setting.body.tracer();
     EnergyTally tally(setting.incident);
     Walk<1> walk(setting.medium, setting.boundary, setting.body, *tracer, tally, run.tactics);
-    const std::uint64_t all = (run.paths + batch - 1) / batch;
+    const int log2_batch = log2_batch_of(run.paths);
+    const std::uint64_t all = batches_of(run.paths);
     const std::uint64_t first = group * batches_in_group;
     Sums sums;
     for (std::uint64_t b = first; b < std::min(first + batches_in_group, all); ++b) {
-        const Tally mean = batch_mean(walk, tally, *tracer, setting, run.seed, b);
+        const Tally mean = batch_mean(walk, tally, *tracer, setting, run.seed, b, log2_batch);
         for (std::size_t i = 0; i < shares; ++i) {
             sums.first[i] += mean[i];
             sums.second[i] += mean[i] * mean[i];
@@ -121,7 +135,7 @@ Sums group_sums(const Setting& setting, const EnergyRun& run, std::uint64_t grou
     return sums;
 }
 
-EnergyBalance balance_of(const Sums& sums, std::uint64_t batches) {
+EnergyBalance balance_of(const Sums& sums, std::uint64_t batches, std::uint64_t paths) {
     const auto n = static_cast<double>(batches);
     const auto estimate = [&](Share share) {
         const double mean = sums.first[share] / n;
@@ -134,13 +148,13 @@ EnergyBalance balance_of(const Sums& sums, std::uint64_t batches) {
             .absorbed = estimate(Absorbed),
             .roulette = estimate(Roulette),
             .collisions = estimate(Collisions),
-            .paths = batches * batch,
+            .paths = paths,
             .leaks = sums.leaks};
 }
 
 EnergyBalance measure(const Setting& setting, const EnergyRun& run) {
-    EXPECTS(run.paths > batch);
-    const std::uint64_t batches = (run.paths + batch - 1) / batch;
+    const std::uint64_t batches = batches_of(run.paths);
+    EXPECTS(batches > 1);
     const std::uint64_t groups = (batches + batches_in_group - 1) / batches_in_group;
     std::vector<Sums> of_group(groups);
     tbb::parallel_for(std::uint64_t{0}, groups,
@@ -153,7 +167,7 @@ EnergyBalance measure(const Setting& setting, const EnergyRun& run) {
         }
         all.leaks += sums.leaks;
     }
-    return balance_of(all, batches);
+    return balance_of(all, batches, batches << log2_batch_of(run.paths));
 }
 
 /// Downward, cosine-distributed about the normal z.

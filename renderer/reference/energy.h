@@ -34,7 +34,7 @@ struct EnergyProblem {
 };
 
 struct EnergyRun {
-    std::uint64_t paths = 1'000'000; ///< rounded up to whole batches of 64
+    std::uint64_t paths = 1'000'000; ///< rounded up to whole batches of 64 to 4096
     std::uint64_t seed = 1;
     WalkTactics tactics;
 };

@@ -32,9 +32,11 @@ template <std::size_t N>
 LightCollector<N>::LightCollector(const LitBody& lit, BodyTracer& tracer, double light_threshold)
     : medium_(lit.medium), illumination_(lit.illumination),
       kind_(lit.medium.index == 1 ? BoundaryKind::Matched : lit.boundary.kind), tracer_(tracer),
-      offset_(lit.offset), threshold_(light_threshold) {
+      offset_(lit.body.offset()), threshold_(light_threshold) {
     for (const auto& sun : lit.illumination.suns) {
-        Disc disc{sun, solid_angle(sun), {}, sun.irradiance};
+        Disc disc{sun, solid_angle(sun), {}, sun.irradiance, nullptr};
+        if (disc.solid_angle == 0 && kind_ == BoundaryKind::Matched)
+            disc.depth = lit.body.sunward_depth(sun.to_light);
         // The irradiance of a facing surface is radiance times pi sin^2: a little less than the
         // disc's solid angle.
         const double sine = std::sin(sun.half_angle.value);
@@ -57,43 +59,28 @@ template <std::size_t N>
 void LightCollector<N>::collided(const Path<N>& path, const Spectrum<N>&, PathRandom& random) {
     if (kind_ != BoundaryKind::Matched || (discs_.empty() && illumination_.lamps.empty()))
         return;
-    const double worth = light_worth(path);
-    const double asking = worth >= threshold_ ? 1 : worth / threshold_;
-    if (asking <= 0 || (asking < 1 && random.next() >= asking))
-        return;
-    connect(path.position, random, [&](const Connection& to) {
-        const auto length = length_inside(path.position, to);
-        if (!length)
-            return;
-        const double turned =
-            henyey_greenstein(glm::dot(path.direction, to.direction), medium_.anisotropy);
-        Spectrum<N> weight;
-        for (std::size_t k = 0; k < N; ++k)
-            weight[k] =
-                path.weight[k] * turned / asking * std::exp(-extinction(medium_, k) * *length);
-        collect(weight, to.power, share_of_connection(to.disc, turned));
-    });
+    const double clearance = tracer_.clearance(path.position);
+    const double u = random.next(); // one for all lights: each has its chance
+    for (const auto& disc : discs_) {
+        const double depth = disc.depth ? disc.depth->at(path.position) : 0;
+        if (const double asking = drawn_asking(path, std::max(clearance, depth), u))
+            collect_scattered(path, to_disc(disc, random), asking);
+    }
+    for (const auto& lamp : illumination_.lamps)
+        if (const double asking = drawn_asking(path, clearance, u))
+            if (const auto to = to_lamp(lamp, path.position))
+                collect_scattered(path, *to, asking);
 }
 
 template <std::size_t N>
 void LightCollector<N>::met_surface(const Path<N>& path,
                                     const RoughSurface& surface,
                                     PathRandom& random) {
-    const glm::dvec3 outward = path.is_inside ? -surface.normal : surface.normal;
-    const glm::dvec3 from = path.position + offset_ * outward;
-    connect(from, random, [&](const Connection& to) {
-        if (glm::dot(to.direction, outward) <= 0)
-            return;
-        const double value = rough_value(surface, -path.direction, to.direction);
-        if (value <= 0 || length_inside(from, to).value_or(1) > 0)
-            return;
-        Spectrum<N> weight = path.weight;
-        for (auto& w : weight)
-            w *= value;
-        collect(
-            weight, to.power,
-            share_of_connection(to.disc, rough_density(surface, -path.direction, to.direction)));
-    });
+    for (const auto& disc : discs_)
+        collect_reflected(path, surface, to_disc(disc, random));
+    for (const auto& lamp : illumination_.lamps)
+        if (const auto to = to_lamp(lamp, path.position))
+            collect_reflected(path, surface, *to);
 }
 
 template <std::size_t N>
@@ -104,40 +91,76 @@ void LightCollector<N>::escaped(const Path<N>& path) {
             collect(path.weight, disc.radiance, share_of_turn(disc.solid_angle, path.turn_density));
 }
 
-/// What a connection could add at most: weight times what the nearest surface lets through.
+/// The probability of asking for a light behind `least_length` of material or more, by what it
+/// could add at most; 0 where chance decides not to.
 template <std::size_t N>
-double LightCollector<N>::light_worth(const Path<N>& path) const {
-    const double clearance = tracer_.clearance(path.position);
+double LightCollector<N>::drawn_asking(const Path<N>& path, double least_length, double u) const {
     double worth = 0;
     for (std::size_t k = 0; k < N; ++k)
-        worth = std::max(worth, path.weight[k] * std::exp(-extinction(medium_, k) * clearance));
-    return worth;
+        worth = std::max(worth, path.weight[k] * std::exp(-extinction(medium_, k) * least_length));
+    if (worth >= threshold_)
+        return worth > 0 ? 1 : 0;
+    const double asking = worth / threshold_;
+    return u < asking ? asking : 0;
 }
 
-/// Tells `use` of one way to every light.
 template <std::size_t N>
-template <class Use>
-void LightCollector<N>::connect(glm::dvec3 from, PathRandom& random, Use&& use) {
-    for (const auto& disc : discs_) {
-        glm::dvec3 direction = disc.sun.to_light;
-        if (disc.solid_angle > 0) {
-            const double u = random.next();
-            direction = sample(disc.sun, u, random.next());
-        }
-        use(Connection{direction, infinity, disc.power, disc.solid_angle});
+typename LightCollector<N>::Connection LightCollector<N>::to_disc(const Disc& disc,
+                                                                  PathRandom& random) const {
+    glm::dvec3 direction = disc.sun.to_light;
+    if (disc.solid_angle > 0) {
+        const double u = random.next();
+        direction = sample(disc.sun, u, random.next());
     }
-    for (const auto& lamp : illumination_.lamps) {
-        const glm::dvec3 way = lamp.position - from;
-        const double distance = glm::length(way);
-        if (distance == 0)
-            continue;
-        const double falloff = lamp.reference * lamp.reference / (distance * distance);
-        use(Connection{way / distance,
-                       distance,
-                       {falloff * lamp.irradiance[0], falloff * lamp.irradiance[1],
-                        falloff * lamp.irradiance[2]},
-                       0});
-    }
+    return {direction, infinity, disc.power, disc.solid_angle};
+}
+
+/// Nothing from where the lamp itself is.
+template <std::size_t N>
+std::optional<typename LightCollector<N>::Connection>
+LightCollector<N>::to_lamp(const Lamp& lamp, glm::dvec3 from) const {
+    const glm::dvec3 way = lamp.position - from;
+    const double distance = glm::length(way);
+    if (distance == 0)
+        return std::nullopt;
+    const double falloff = lamp.reference * lamp.reference / (distance * distance);
+    const auto& [r, g, b] = lamp.irradiance;
+    return Connection{way / distance, distance, {falloff * r, falloff * g, falloff * b}, 0};
+}
+
+/// What the medium turns from the light into the path at its collision.
+template <std::size_t N>
+void LightCollector<N>::collect_scattered(const Path<N>& path,
+                                          const Connection& to,
+                                          double asking) {
+    const auto length = length_inside(path.position, to);
+    if (!length)
+        return;
+    const double turned =
+        henyey_greenstein(glm::dot(path.direction, to.direction), medium_.anisotropy);
+    Spectrum<N> weight;
+    for (std::size_t k = 0; k < N; ++k)
+        weight[k] = path.weight[k] * turned / asking * std::exp(-extinction(medium_, k) * *length);
+    collect(weight, to.power, share_of_connection(to.disc, turned));
+}
+
+/// What a rough surface turns from the light into the path.
+template <std::size_t N>
+void LightCollector<N>::collect_reflected(const Path<N>& path,
+                                          const RoughSurface& surface,
+                                          const Connection& to) {
+    const glm::dvec3 outward = path.is_inside ? -surface.normal : surface.normal;
+    const glm::dvec3 from = path.position + offset_ * outward;
+    if (glm::dot(to.direction, outward) <= 0)
+        return;
+    const double value = rough_value(surface, -path.direction, to.direction);
+    if (value <= 0 || length_inside(from, to).value_or(1) > 0)
+        return;
+    Spectrum<N> weight = path.weight;
+    for (auto& w : weight)
+        w *= value;
+    collect(weight, to.power,
+            share_of_connection(to.disc, rough_density(surface, -path.direction, to.direction)));
 }
 
 /// The length inside on the way; nothing when it has no end.

@@ -3,9 +3,11 @@
 
 #include "renderer/reference/body.h"
 #include "renderer/reference/illumination.h"
+#include "renderer/reference/sunward_depth.h"
 #include "renderer/reference/walk.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -16,14 +18,14 @@ struct LitBody {
     const Medium& medium;
     Boundary boundary;
     const Illumination& illumination;
-    double offset = 0; ///< the body's
+    const Body& body;
 };
 
 /// Sums what arrives along the paths it is told of.
 template <std::size_t N>
 class LightCollector final : public WalkEvents<N> {
   public:
-    /// A collision asks for suns and lamps with a probability that falls with what they could add
+    /// A collision asks for each sun and lamp with a probability that falls with what it could add
     /// at most: below `light_threshold`, in proportion.
     LightCollector(const LitBody& lit, BodyTracer& tracer, double light_threshold);
 
@@ -54,11 +56,14 @@ class LightCollector final : public WalkEvents<N> {
         Sun sun;
         double solid_angle = 0;
         Spectrum<3> radiance{}, power{};
+        std::shared_ptr<const SunwardDepth> depth; ///< of a single direction; may be null
     };
 
-    double light_worth(const Path<N>& path) const;
-    template <class Use>
-    void connect(glm::dvec3 from, PathRandom& random, Use&& use);
+    double drawn_asking(const Path<N>& path, double least_length, double u) const;
+    Connection to_disc(const Disc& disc, PathRandom& random) const;
+    std::optional<Connection> to_lamp(const Lamp& lamp, glm::dvec3 from) const;
+    void collect_scattered(const Path<N>& path, const Connection& to, double asking);
+    void collect_reflected(const Path<N>& path, const RoughSurface& surface, const Connection& to);
     std::optional<double> length_inside(glm::dvec3 from, const Connection& to);
     void collect(const Spectrum<N>& weight, const Spectrum<3>& light, double share);
 

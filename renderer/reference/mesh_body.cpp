@@ -4,10 +4,13 @@
 #include "renderer/geometry/crossings.h"
 #include "renderer/geometry/ray_scene.h"
 #include "renderer/reference/clearance.h"
+#include "renderer/reference/sunward_depth.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 namespace renderer::reference {
@@ -29,17 +32,25 @@ class MeshTracer final : public BodyTracer {
     MeshTracer(const geometry::RayScene& scene, const Clearance& clearance)
         : scene_(scene), clearance_(clearance), tracer_(scene) {}
 
+    /// Who looks whether a ray meets the body and then follows it asks twice: traced once.
     std::span<const Stretch> along(glm::dvec3 point, glm::dvec3 direction) override {
+        if (point == last_point_ && direction == last_direction_)
+            return stretches_;
+        last_point_ = point;
+        last_direction_ = direction;
         stretches_.clear();
         for (const auto& [begin, end] : tracer_.from_point(point, direction))
             stretches_.push_back({begin, end});
         return stretches_;
     }
 
+    /// Looks a little back, too: rounding may have put the point on the surface's other side,
+    /// whence the ray would meet nothing.
     bool is_clear(glm::dvec3 point, glm::dvec3 direction, double length) override {
-        const glm::vec3 origin = scene_from(point);
+        const glm::vec3 origin = scene_from(point), along(direction);
         const auto far = static_cast<float>(length / scene_.model_per_scene());
-        return far < clearance_.at(origin) || !scene_.meets(origin, glm::vec3(direction), 0, far);
+        return far < clearance_.at(origin) ||
+               !scene_.meets(origin - nearest * along, along, 0, far + nearest);
     }
 
     std::optional<glm::dvec3>
@@ -71,6 +82,7 @@ class MeshTracer final : public BodyTracer {
     const geometry::RayScene& scene_;
     const Clearance& clearance_;
     geometry::InteriorTracer tracer_;
+    glm::dvec3 last_point_{}, last_direction_{}; // no direction is zero
     std::vector<Stretch> stretches_;
 };
 
@@ -84,9 +96,23 @@ class MeshBody final : public Body {
 
     double offset() const override { return surface_offset * scene_.model_per_scene(); }
 
+    std::shared_ptr<const SunwardDepth> sunward_depth(glm::dvec3 to_light) const override {
+        const std::lock_guard lock(depths_in_use_);
+        const auto known = std::ranges::find(depths_, to_light, &Depth::first);
+        if (known != depths_.end())
+            return known->second;
+        depths_.emplace_back(to_light,
+                             std::make_shared<SunwardDepth>(scene_, clearance_, to_light));
+        return depths_.back().second;
+    }
+
   private:
+    using Depth = std::pair<glm::dvec3, std::shared_ptr<const SunwardDepth>>;
+
     geometry::RayScene scene_;
     Clearance clearance_;
+    mutable std::mutex depths_in_use_;
+    mutable std::vector<Depth> depths_;
 };
 
 } // namespace

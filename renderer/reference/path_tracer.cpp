@@ -64,7 +64,7 @@ Counts trace_pixels(const Picture& picture,
     const geometry::DenormalsAreZero guard;
     const auto tracer = picture.body->tracer();
     LightCollector<N> collector(
-        {picture.medium, picture.boundary, picture.illumination, picture.body->offset()}, *tracer,
+        {picture.medium, picture.boundary, picture.illumination, *picture.body}, *tracer,
         tactics.light_threshold);
     Walk<N> walk(picture.medium, picture.boundary, *picture.body, *tracer, collector, tactics.walk);
     const Eye eye(picture.camera, film.width, film.height);
@@ -72,9 +72,10 @@ Counts trace_pixels(const Picture& picture,
     const std::uint32_t samples = 1u << film.log2_batch;
     Counts counts;
     for (std::size_t pixel = first; pixel < last; ++pixel) {
+        const auto number = static_cast<std::uint32_t>(pixel);
+        const Strata strata(film.seed, number, film.batches);
         for (std::uint32_t s = 0; s < samples; ++s) {
-            PathRandom random(
-                {film.seed, static_cast<std::uint32_t>(pixel), film.batches, s, film.log2_batch});
+            PathRandom random({film.seed, number, film.batches, s, film.log2_batch}, strata);
             const double x = static_cast<double>(pixel % width) + random.next();
             const double y = static_cast<double>(pixel / width) + random.next();
             const auto path = eye.path<N>(x, y);

@@ -89,11 +89,20 @@ scrambled_sobol(std::uint32_t index, int log2_count, const Words& scrambles, std
     for (unsigned d = 0; d < 4; ++d) {
         std::uint32_t x = 0;
         for (unsigned i = 0; i < bits; ++i)
-            if ((shuffled >> i) & 1u)
-                x ^= directions[d][i];
+            x ^= directions[d][i] & (0u - ((shuffled >> i) & 1u));
         point[d] = unit * owen(x, scrambles[d]);
     }
     return point;
+}
+
+Strata::Strata(std::uint64_t seed, std::uint32_t pixel, std::uint32_t batch) {
+    for (std::uint32_t block = 0; block < blocks; ++block)
+        blocks_[block] = {philox({pixel, batch, 0, scramble_blocks + block}, seed),
+                          philox({pixel, batch, 1, scramble_blocks + block}, seed)[0]};
+}
+
+PathRandom::PathRandom(const Name& name, const Strata& strata) : PathRandom(name) {
+    strata_ = &strata;
 }
 
 PathRandom::PathRandom(const Name& name) : name_(name) {
@@ -101,19 +110,12 @@ PathRandom::PathRandom(const Name& name) : name_(name) {
     EXPECTS(name.sample < (1u << name.log2_batch));
 }
 
-double PathRandom::next() {
-    if (drawn_ % 4 == 0)
-        refill();
-    return numbers_[drawn_++ % 4];
-}
-
 void PathRandom::refill() {
     const std::uint32_t block = drawn_ / 4;
     if (drawn_ < stratified_numbers && name_.log2_batch > 0) {
-        const Words scrambles =
-            philox({name_.pixel, name_.batch, 0, scramble_blocks + block}, name_.seed);
-        const std::uint32_t order =
-            philox({name_.pixel, name_.batch, 1, scramble_blocks + block}, name_.seed)[0];
+        const auto [scrambles, order] = strata_ != nullptr
+                                            ? (*strata_)[block]
+                                            : Strata(name_.seed, name_.pixel, name_.batch)[block];
         numbers_ = scrambled_sobol(name_.sample, name_.log2_batch, scrambles, order);
         return;
     }

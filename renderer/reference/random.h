@@ -26,6 +26,25 @@ Words philox(Words counter, std::uint64_t key);
 std::array<double, 4>
 scrambled_sobol(std::uint32_t index, int log2_count, const Words& scrambles, std::uint32_t order);
 
+/// What the stratified numbers of all paths of a batch have in common.
+class Strata {
+  public:
+    Strata(std::uint64_t seed, std::uint32_t pixel, std::uint32_t batch);
+
+    /// The scrambles of a block of four numbers, and the order of its points.
+    struct Block {
+        Words scrambles{};
+        std::uint32_t order = 0;
+    };
+
+    static constexpr std::uint32_t blocks = 3;
+
+    const Block& operator[](std::uint32_t block) const { return blocks_[block]; }
+
+  private:
+    std::array<Block, blocks> blocks_;
+};
+
 /// The numbers of one path, in order.
 class PathRandom {
   public:
@@ -39,17 +58,26 @@ class PathRandom {
     };
 
     /// So many numbers are stratified over a batch.
-    static constexpr std::uint32_t stratified_numbers = 12;
+    static constexpr std::uint32_t stratified_numbers = 4 * Strata::blocks;
 
     explicit PathRandom(const Name& name);
 
+    /// The same numbers, quicker: `strata` are those of the name's seed, pixel and batch, and
+    /// outlive the path.
+    PathRandom(const Name& name, const Strata& strata);
+
     /// The next number, uniform in [0, 1): at most 1 - 2^-32.
-    double next();
+    double next() {
+        if (drawn_ % 4 == 0)
+            refill();
+        return numbers_[drawn_++ % 4];
+    }
 
   private:
     void refill();
 
     Name name_;
+    const Strata* strata_ = nullptr; // without, they are made when they are needed
     std::uint32_t drawn_ = 0;
     std::array<double, 4> numbers_{};
 };

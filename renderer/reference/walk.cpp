@@ -2,6 +2,7 @@
 #include "renderer/reference/walk.h"
 
 #include "renderer/contract.h"
+#include "renderer/reference/flight.h"
 #include "renderer/reference/guiding.h"
 #include "renderer/reference/phase.h"
 
@@ -10,12 +11,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace renderer::reference {
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr double isotropic = 1 / (4 * std::numbers::pi);
 
 // Below this optical thickness a flight through it is even to rounding.
 constexpr double thin = 1e-12;
@@ -63,6 +67,11 @@ Spectrum<N>
 advance(Path<N>& path, const Spectrum<N>& f, const Spectrum<N>& p, const Spectrum<N>& other) {
     const double p_h = p[path.hero];
     Spectrum<N> otherwise;
+    if constexpr (N == 1) { // one hero: its ratio is 1
+        otherwise[0] = path.weight[0] * (other[0] / p_h);
+        path.weight[0] *= f[0] / p_h;
+        return otherwise;
+    }
     for (std::size_t k = 0; k < N; ++k) {
         otherwise[k] = path.weight[k] * other[k] / p_h;
         path.weight[k] *= f[k] / p_h;
@@ -123,8 +132,7 @@ double Walk<N>::flight(const Path<N>& path, PathRandom& random) const {
     double sigma = sigma_t_[path.hero];
     if (path.turn.is_guided)
         sigma *= guided_stretch(path.turn.cosine, rate_[path.hero]);
-    const double depth = -std::log1p(-random.next());
-    return sigma == 0 ? infinity : depth / sigma;
+    return flight_length(random.next(), sigma);
 }
 
 /// Matched: a line may leave the body and come back in; only what it covers inside counts.
@@ -399,6 +407,11 @@ void Walk<N>::choose_direction(Path<N>& path, PathRandom& random) const {
     const double g = medium_.anisotropy;
     const double u = random.next(), v = random.next();
     const bool may_guide = tactics_.guided_share > 0 && boundary_.kind == BoundaryKind::Matched;
+    if (!may_guide && g == 0) { // whither does not depend on whence
+        path.turn_density = isotropic;
+        path.direction = around({0, 0, 1}, 2 * u - 1, v);
+        return;
+    }
     if (!may_guide) {
         const double cosine = sample_henyey_greenstein(u, g);
         path.turn_density = henyey_greenstein(cosine, g);

@@ -1,7 +1,9 @@
 # One scene of reference_bench in Blender's Cycles, as a process of its own: prints the mean over the
 # mask, the mean variance between runs with different seeds, and seconds of processor time for one.
 #
-# blender -b --factory-startup -P cycles.py -- NAME MODEL.off PIXELS SAMPLES SEEDS [best]
+# MASK is what reference_bench wrote for the same scene: both average over the same pixels.
+#
+# blender -b --factory-startup -P cycles.py -- NAME MODEL.off PIXELS SAMPLES SEEDS MASK [best]
 import math
 import os
 import sys
@@ -10,7 +12,7 @@ import tempfile
 import bpy
 import numpy
 
-name, model, pixels, samples, seeds = sys.argv[sys.argv.index("--") + 1 :][:5]
+name, model, pixels, samples, seeds, mask_file = sys.argv[sys.argv.index("--") + 1 :][:6]
 pixels, samples, seeds = int(pixels), int(samples), int(seeds)
 best = sys.argv[-1] == "best"
 
@@ -123,20 +125,10 @@ overhead = min(render(0, 1)[1] for _ in range(2))
 runs = [render(seed + 1, samples) for seed in range(seeds)]
 pictures = numpy.stack([values for values, _ in runs])
 
-# The mask: pixels whose centre and neighbourhood the object covers, by a mask from reference_bench's
-# geometry would be the same; here the sphere's disc, or what is lit.
-y, x = numpy.mgrid[0:pixels, 0:pixels]
-scale = math.tan(math.radians(15))
-u = (2 * (x + 0.5) / pixels - 1) * scale
-v = (2 * (y + 0.5) / pixels - 1) * scale
-if name.startswith("sphere"):
-    distance = 1.04 * 5 / math.sin(math.radians(15))
-    sine = numpy.sqrt((u * u + v * v) / (1 + u * u + v * v))
-    mask = distance * sine < 5 - 1.5 * 10 / pixels
-else:
-    mask = pictures.min(axis=0) > 0
-mean = pictures.mean(axis=0)[mask].mean()
+# Blender's rows begin at the bottom.
+mask = numpy.array([[c == "1" for c in row] for row in open(mask_file).read().split()])[::-1]
+means = pictures[:, mask].mean(axis=1)
 variance = pictures.var(axis=0, ddof=1)[mask].mean()
 cpu = sum(c for _, c in runs) / seeds - overhead * (samples - 1) / samples
-print(f"{name} cycles mean {mean:.6f} variance {variance:.4e} cpu {cpu:.3f} "
-      f"efficiency {1 / (variance * cpu):.5g}")
+print(f"{name} cycles mean {means.mean():.6f} +- {means.std(ddof=1) / math.sqrt(seeds):.6f} "
+      f"variance {variance:.4e} cpu {cpu:.3f} efficiency {1 / (variance * cpu):.5g}")

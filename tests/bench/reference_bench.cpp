@@ -1,20 +1,17 @@
 // How fast the reference gets sure: efficiency 1 / (mean variance x seconds of processor) of each
-// choice against the plain walk, interleaved in one run; samples per second and scaling.
+// choice against the plain walk, interleaved in one run; samples per second, time to a given error
+// and scaling.  Names of models are looked for in the working directory.
 //
-// reference_bench tactics [ARMADILLO.off]   the table of docs/reference.md
-// reference_bench scaling [ARMADILLO.off]   one thread against two
-// reference_bench furnace ARMADILLO.off PIXELS BATCHES    the greatest deviation of a pixel from 1
-// reference_bench scene NAME MODEL PIXELS SAMPLES SEEDS   one scene for a comparison with others:
-//                                            sphere-sky, sphere-back or model-back
-#include "renderer/camera.h"
-#include "renderer/geometry/bodies.h"
-#include "renderer/geometry/mesh_files.h"
-#include "renderer/geometry/mesh_repair.h"
-#include "renderer/reference/mesh_body.h"
-#include "renderer/reference/path_tracer.h"
+// reference_bench tactics                     each choice, on six of the study's scenes and three
+// more reference_bench studies                     samples per second and time to 1 % and 0.3 %
+// reference_bench scaling                     one thread against two
+// reference_bench furnace MODEL PIXELS BATCHES          the greatest deviation of a pixel from 1
+// reference_bench scene NAME MODEL PIXELS SAMPLES SEEDS MASK   one scene for a comparison with
+// others:
+//                                     sphere-sky, sphere-back or model-back; writes its mask
+#include "tests/bench/reference_scenes.h"
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -22,7 +19,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
-#include <functional>
+#include <exception>
+#include <fstream>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -31,48 +29,7 @@
 namespace {
 
 using namespace renderer::reference;
-namespace geometry = renderer::geometry;
-
-struct Named {
-    std::string name;
-    Picture picture;
-};
-
-/// Lengths in mean free paths.
-Picture
-picture_of(const geometry::Mesh& mesh, double diameter, double turn, const Illumination& light) {
-    const renderer::Turntable table{turn, 0};
-    const auto placement = renderer::place(geometry::bounding_sphere(mesh), {diameter}, table);
-    auto placed = mesh;
-    for (auto& p : placed.positions)
-        p = glm::dvec3(placement.world_from_model * glm::dvec4(p, 1));
-    return {make_mesh_body(placed),
-            grey_medium(1, 0.9, 0, 1),
-            {},
-            light,
-            renderer::frame({diameter}, table, 1)};
-}
-
-const Illumination sky{.sky = {1, 1, 1}};
-const Illumination back{.suns = {{glm::normalize(glm::dvec3(0, 0.3, -1)), {1, 1, 1}}}};
-
-Named scene(const std::string& name, const std::string& model) {
-    if (name == "sphere-sky")
-        return {name, picture_of(geometry::sphere(1, 5), 10, 0, sky)};
-    if (name == "sphere-back")
-        return {name, picture_of(geometry::sphere(1, 5), 10, 0, back)};
-    auto mesh = geometry::read_mesh(model);
-    if (!mesh) {
-        fmt::print(stderr, "{}\n", mesh.error());
-        std::exit(EXIT_FAILURE);
-    }
-    auto prepared = geometry::prepare(std::move(*mesh), model);
-    if (!prepared) {
-        fmt::print(stderr, "{}\n", prepared.error());
-        std::exit(EXIT_FAILURE);
-    }
-    return {name, picture_of(prepared->mesh, 20, 180, back)};
-}
+using bench::NamedPicture;
 
 /// Seconds of processor time of all threads.
 double cpu_seconds() {
@@ -83,15 +40,26 @@ struct Yield {
     double mean = 0, variance = 0, cpu = 0, wall = 0, samples = 0;
 
     double efficiency() const { return 1 / (variance * cpu); }
+
+    /// Root mean square standard error of a pixel's channel over the mean light.
+    double relative_error() const { return std::sqrt(variance) / mean; }
 };
 
+/// Pixels that every sample has met the body in.
+std::vector<std::size_t> whole_pixels(const Film& film) {
+    const double samples = std::ldexp(static_cast<double>(film.batches), film.log2_batch);
+    std::vector<std::size_t> whole;
+    for (std::size_t i = 0; i < film.covered.size(); ++i)
+        if (film.covered[i] == samples)
+            whole.push_back(i);
+    return whole;
+}
+
 Yield measure(const Picture& picture,
-              int pixels,
+              Film& film,
               std::uint32_t batches,
-              int log2_batch,
               const TracerTactics& tactics,
-              std::uint64_t seed) {
-    Film film = blank_film(pixels, pixels, seed, log2_batch);
+              const std::vector<std::size_t>& mask = {}) {
     const auto wall = std::chrono::steady_clock::now();
     const double cpu = cpu_seconds();
     for (std::uint32_t b = 0; b < batches; ++b)
@@ -99,17 +67,15 @@ Yield measure(const Picture& picture,
     Yield yield;
     yield.cpu = cpu_seconds() - cpu;
     yield.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
-    double n = 0;
-    const double samples = std::ldexp(static_cast<double>(batches), log2_batch);
-    for (std::size_t i = 0; i < film.sum.size(); ++i)
-        if (film.covered[i] == samples) {
-            yield.mean += mean(film, i)[0];
-            yield.variance += std::pow(standard_error(film, i)[0], 2);
-            ++n;
+    const auto pixels = mask.empty() ? whole_pixels(film) : mask;
+    const double n = 3 * static_cast<double>(pixels.size());
+    for (const auto i : pixels)
+        for (std::size_t k = 0; k < 3; ++k) {
+            yield.mean += mean(film, i)[k] / n;
+            yield.variance += std::pow(standard_error(film, i)[k], 2) / n;
         }
-    yield.mean /= n;
-    yield.variance /= n;
-    yield.samples = samples * static_cast<double>(film.sum.size());
+    yield.samples = std::ldexp(static_cast<double>(batches), film.log2_batch) *
+                    static_cast<double>(film.sum.size());
     return yield;
 }
 
@@ -129,79 +95,108 @@ std::vector<Choice> choices() {
     auto forced = plain;
     forced.walk.force_first = true;
     list.push_back({"+ forced first collision", forced, 6});
-    for (const double threshold : {0.03, 0.1, 0.3, 1.0}) {
+    for (const double threshold : {0.1, 0.3, 1.0}) {
         auto t = forced;
         t.light_threshold = threshold;
         list.push_back({fmt::format("+ light asked below {}", threshold), t, 6});
     }
-    for (const int after : {4, 8, 16}) {
+    for (const int after : {8, 1000}) {
         auto t = forced;
-        t.light_threshold = 0.3;
+        t.light_threshold = 0.1;
         t.walk.roulette_after = after;
         list.push_back({fmt::format("+ roulette after {}", after), t, 6});
     }
     for (const double share : {0.25, 0.5}) {
         auto t = forced;
-        t.light_threshold = 0.3;
+        t.light_threshold = 0.1;
         t.walk.guided_share = share;
         list.push_back({fmt::format("+ guided share {}", share), t, 6});
     }
     auto expected = forced;
+    expected.light_threshold = 0.1;
     expected.walk.expect_escape = true;
-    list.push_back({"forced + expected escape", expected, 6});
+    list.push_back({"+ expected escape", expected, 6});
     return list;
 }
 
-void tactics_table(const std::string& model) {
-    constexpr int pixels = 32, repeats = 3;
-    constexpr int samples = 512;
-    for (const auto& name : {"sphere-sky", "sphere-back", "model-back"}) {
-        const auto [label, picture] = scene(name, model);
-        auto list = choices();
-        for (auto& choice : list)
-            choice.tactics.walk.guide_axis = back.suns[0].to_light;
-        std::vector<std::vector<double>> efficiency(list.size());
-        std::vector<double> means(list.size());
-        for (int r = 0; r < repeats; ++r)
+/// Scenes on which a choice has to earn its place.
+std::vector<NamedPicture> judging_pictures() {
+    auto pictures = bench::study_pictures();
+    std::erase_if(pictures, [](const auto& p) { return p.name.ends_with("front"); });
+    for (const auto* name : {"sphere-sky", "sphere-back", "model-back"})
+        pictures.push_back(bench::comparison_picture(name, "armadillo"));
+    return pictures;
+}
+
+void tactics_table(int pixels, int samples, int repeats) {
+    const auto list = choices();
+    std::vector<std::vector<std::string>> cells(list.size());
+    std::string names;
+    for (const auto& [name, picture] : judging_pictures()) {
+        std::vector<std::vector<double>> ratio(list.size());
+        for (int r = 0; r < repeats; ++r) {
+            double of_plain = 0;
             for (std::size_t i = 0; i < list.size(); ++i) {
+                auto tactics = list[i].tactics;
+                if (!picture.illumination.suns.empty())
+                    tactics.walk.guide_axis = picture.illumination.suns[0].to_light;
+                Film film = blank_film(pixels, pixels, static_cast<std::uint64_t>(r + 1),
+                                       list[i].log2_batch);
                 const auto batches = static_cast<std::uint32_t>(samples >> list[i].log2_batch);
-                const auto y = measure(picture, pixels, batches, list[i].log2_batch,
-                                       list[i].tactics, static_cast<std::uint64_t>(r + 1));
-                efficiency[i].push_back(y.efficiency());
-                means[i] = y.mean;
+                const double efficiency = measure(picture, film, batches, tactics).efficiency();
+                of_plain = i == 0 ? efficiency : of_plain;
+                ratio[i].push_back(efficiency / of_plain);
             }
-        fmt::print(
-            "\n| {} | mean | efficiency over plain (least, middle, most of {}) |\n|---|---|---|\n",
-            label, repeats);
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            std::vector<double> ratio;
-            for (int r = 0; r < repeats; ++r)
-                ratio.push_back(efficiency[i][static_cast<std::size_t>(r)] /
-                                efficiency[0][static_cast<std::size_t>(r)]);
-            std::ranges::sort(ratio);
-            fmt::print("| {} | {:.6f} | {:.2f}, {:.2f}, {:.2f} |\n", list[i].name, means[i],
-                       ratio[0], ratio[1], ratio[2]);
         }
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            std::ranges::sort(ratio[i]);
+            cells[i].push_back(fmt::format("{:.2f} ({:.2f}-{:.2f})", ratio[i][ratio[i].size() / 2],
+                                           ratio[i].front(), ratio[i].back()));
+        }
+        names += " | " + name;
+        fmt::print(stderr, "{}\n", name);
+    }
+    fmt::print("| choice{} |\n|---", names);
+    for (std::size_t i = 0; i < cells[0].size(); ++i)
+        fmt::print("|---");
+    fmt::print("|\n");
+    for (std::size_t i = 0; i < list.size(); ++i)
+        fmt::print("| {} | {} |\n", list[i].name, fmt::join(cells[i], " | "));
+}
+
+/// The error falls with the square root of the samples: what a short run takes says the rest.
+void studies(int pixels, std::uint32_t batches) {
+    fmt::print("| picture | samples/s | error after {} samples | s to 1 % | s to 0.3 % |\n"
+               "|---|---|---|---|---|\n",
+               batches << 4);
+    for (const auto& [name, picture] : bench::study_pictures()) {
+        Film film = blank_film(pixels, pixels, 1);
+        const auto y = measure(picture, film, batches, {});
+        const double error = y.relative_error();
+        fmt::print("| {} | {:.3g} | {:.2f} % | {:.3g} | {:.3g} |\n", name, y.samples / y.wall,
+                   100 * error, y.wall * std::pow(error / 0.01, 2),
+                   y.wall * std::pow(error / 0.003, 2));
         std::fflush(stdout);
     }
 }
 
-void scaling(const std::string& model) {
+void scaling() {
+    constexpr int repeats = 3;
     fmt::print("| scene | samples/s, 1 thread | 2 threads | ratio |\n|---|---|---|---|\n");
-    for (const auto& name : {"sphere-sky", "sphere-back", "model-back"}) {
-        const auto [label, picture] = scene(name, model);
+    for (const auto& [name, picture] : judging_pictures()) {
         std::vector<double> rate[2];
-        for (int r = 0; r < 3; ++r)
+        for (int r = 0; r < repeats; ++r)
             for (const std::size_t threads : {1, 2}) {
                 const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                                 threads);
-                const auto y = measure(picture, 128, 4, 4, {}, 1);
+                Film film = blank_film(128, 128, 1);
+                const auto y = measure(picture, film, 1, {});
                 rate[threads - 1].push_back(y.samples / y.wall);
             }
         for (auto& rates : rate)
             std::ranges::sort(rates);
-        fmt::print("| {} | {:.3g} | {:.3g} | {:.2f} |\n", label, rate[0][1], rate[1][1],
-                   rate[1][1] / rate[0][1]);
+        fmt::print("| {} | {:.3g} | {:.3g} | {:.2f} |\n", name, rate[0][repeats / 2],
+                   rate[1][repeats / 2], rate[1][repeats / 2] / rate[0][repeats / 2]);
         std::fflush(stdout);
     }
 }
@@ -220,8 +215,8 @@ double corrected_limit(double count) {
 /// An even sky through a body that only scatters, each channel otherwise: every pixel is 1.
 void furnace(const std::string& model, int pixels, std::uint32_t batches) {
     for (const auto kind : {BoundaryKind::Matched, BoundaryKind::Smooth}) {
-        auto picture = scene("model-back", model).picture;
-        picture.illumination = sky;
+        auto picture = bench::comparison_picture("model-back", model).picture;
+        picture.illumination = bench::even_sky;
         picture.medium = {{0, 0, 0}, {0.2, 1, 0}, 0.5, 1.4};
         picture.boundary = {kind};
         Film film = blank_film(pixels, pixels, 1, 4);
@@ -247,38 +242,84 @@ void furnace(const std::string& model, int pixels, std::uint32_t batches) {
     }
 }
 
-/// The variance between independent runs, as it has to be measured of a program that keeps none.
-void one_scene(
-    const std::string& name, const std::string& model, int pixels, int samples, int seeds) {
-    const auto [label, picture] = scene(name, model);
+/// A picture's mask as a line of 0 and 1 for each of its rows, top row first: pixels wholly
+/// covered, their neighbours too, so that two renderers agree about what lies in it.
+std::vector<std::size_t> write_mask(const Film& film, const std::string& file) {
+    const auto whole = whole_pixels(film);
+    const auto is_whole = [&](int x, int y) {
+        return x >= 0 && y >= 0 && x < film.width && y < film.height &&
+               std::ranges::binary_search(whole, static_cast<std::size_t>(y * film.width + x));
+    };
+    std::vector<std::size_t> mask;
+    std::ofstream out(file);
+    for (int y = 0; y < film.height; ++y) {
+        for (int x = 0; x < film.width; ++x) {
+            bool is_in = true;
+            for (int v = y - 1; v <= y + 1; ++v)
+                for (int u = x - 1; u <= x + 1; ++u)
+                    is_in = is_in && is_whole(u, v);
+            if (is_in)
+                mask.push_back(static_cast<std::size_t>(y * film.width + x));
+            out << (is_in ? '1' : '0');
+        }
+        out << '\n';
+    }
+    return mask;
+}
+
+/// The mean, how sure it is, and what a run costs; means over several seeds.
+void one_scene(const std::string& name,
+               const std::string& model,
+               int pixels,
+               int samples,
+               int seeds,
+               const std::string& mask_file) {
+    const auto picture = bench::comparison_picture(name, model).picture;
+    Film outline = blank_film(pixels, pixels, 1, 6);
+    measure(picture, outline, 2, {});
+    const auto mask = write_mask(outline, mask_file);
     double variance = 0, cpu = 0, average = 0;
     for (int s = 1; s <= seeds; ++s) {
-        const auto y = measure(picture, pixels, static_cast<std::uint32_t>(samples / 64), 6, {},
-                               static_cast<std::uint64_t>(s));
+        Film film = blank_film(pixels, pixels, static_cast<std::uint64_t>(s), 6);
+        const auto y = measure(picture, film, static_cast<std::uint32_t>(samples / 64), {}, mask);
         variance += y.variance / seeds;
         cpu += y.cpu / seeds;
         average += y.mean / seeds;
     }
-    fmt::print("{} mean {:.6f} variance {:.4e} cpu {:.3f} efficiency {:.5g}\n", label, average,
+    fmt::print("{} pairlight mean {:.6f} +- {:.6f} variance {:.4e} cpu {:.3f} efficiency {:.5g}\n",
+               name, average, std::sqrt(variance / seeds / static_cast<double>(mask.size())),
                variance, cpu, 1 / (variance * cpu));
+}
+
+int run(const std::vector<std::string>& words) {
+    const std::string what = words.empty() ? "" : words[0];
+    if (what == "scene" && words.size() == 7)
+        one_scene(words[1], words[2], std::stoi(words[3]), std::stoi(words[4]), std::stoi(words[5]),
+                  words[6]);
+    else if (what == "scaling" && words.size() == 1)
+        scaling();
+    else if (what == "studies" && words.size() == 1)
+        studies(256, 2);
+    else if (what == "furnace" && words.size() == 4)
+        furnace(words[1], std::stoi(words[2]), static_cast<std::uint32_t>(std::stoi(words[3])));
+    else if (what == "tactics" && words.size() == 1)
+        tactics_table(24, 256, 3);
+    else {
+        fmt::print(stderr,
+                   "usage: reference_bench tactics|studies|scaling, furnace MODEL PIXELS BATCHES, "
+                   "or scene NAME MODEL PIXELS SAMPLES SEEDS MASK\n");
+        return EXIT_FAILURE;
+    }
+    return EXIT_SUCCESS;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    const std::vector<std::string> words(argv + 1, argv + argc);
-    const std::string what = words.empty() ? "tactics" : words[0];
-    if (what == "scene" && words.size() == 6)
-        one_scene(words[1], words[2], std::stoi(words[3]), std::stoi(words[4]),
-                  std::stoi(words[5]));
-    else if (what == "scaling" && words.size() == 2)
-        scaling(words[1]);
-    else if (what == "furnace" && words.size() == 4)
-        furnace(words[1], std::stoi(words[2]), static_cast<std::uint32_t>(std::stoi(words[3])));
-    else if (what == "tactics" && words.size() == 2)
-        tactics_table(words[1]);
-    else
-        fmt::print(stderr, "usage: reference_bench tactics|scaling MODEL, furnace MODEL PIXELS "
-                           "BATCHES, or scene NAME MODEL PIXELS "
-                           "SAMPLES SEEDS\n");
+    try {
+        return run({argv + 1, argv + argc});
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return EXIT_FAILURE;
+    }
 }

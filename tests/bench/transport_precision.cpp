@@ -38,7 +38,7 @@ struct Result {
 
 /// A pilot says how many paths the error takes, and how long they do.
 Result run(const Anchor& anchor, double relative, double most_seconds) {
-    constexpr std::uint64_t pilot_paths = 1 << 17;
+    constexpr std::uint64_t pilot_paths = 1 << 18;
     EnergyRun run{.paths = pilot_paths, .seed = 11, .tactics = {.expect_escape = true}};
     auto start = Clock::now();
     const auto pilot = estimate_of(anchor, run);

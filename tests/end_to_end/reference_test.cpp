@@ -99,8 +99,8 @@ TEST(ReferenceCommand, SaysWhatCannotBe) {
     EXPECT_FALSE(fs::exists(folder / "a.exr"));
 }
 
-TEST(ReferenceCondition, IsRenderedBesideTheMethodsItJudges) {
-    const TemporaryFolder folder;
+/// A torus, its methods, and its reference, which `session` may say more of.
+void write_judged_study(const TemporaryFolder& folder, const std::string& session = "") {
     write_file(folder / "instructions.md", "# Welcome\n\nChoose.\n");
     write_file(folder / "study.toml", R"([study]
 id       = "judged"
@@ -109,7 +109,10 @@ question = "Which picture looks more realistic?"
 seed     = 1
 width    = 32
 height   = 32
-[[scene]]
+[session]
+warm_ups = 0
+training = 0
+)" + session + R"([[scene]]
 id       = "body"
 model    = "torus"
 diameter_mm = 4
@@ -118,14 +121,43 @@ material = "marble"
 id     = "phong"
 method = "phong"
 [[condition]]
+id     = "constant"
+method = "constant"
+[[condition]]
 id     = "truth"
 method = "reference"
 relative_error = 0.3
 )");
+}
+
+TEST(ReferenceCondition, IsRenderedBesideTheMethodsItJudges) {
+    const TemporaryFolder folder;
+    write_judged_study(folder);
     const auto run = pairlight({"render", folder.path().string()});
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_TRUE(fs::exists(folder.path() / "stimuli" / "body" / "truth.png"));
     EXPECT_THAT(read_file(folder.path() / "stimuli" / "manifest.json"), HasSubstr("path tracer"));
+    const auto asked =
+        pairlight({"schedule", folder.path().string(), "--observer", "P1", "--session", "1"});
+    EXPECT_THAT(asked.out, HasSubstr("truth")) << asked.err; // a fifth contender, as it were
+}
+
+// In the middle it is what the two sides are judged against: rendered, shown, never asked about.
+TEST(ReferenceCondition, CanStandInTheMiddle) {
+    const TemporaryFolder folder;
+    write_judged_study(folder, "reference = \"truth\"\n");
+    const auto study = folder.path().string();
+    auto run = pairlight({"render", study});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(fs::exists(folder.path() / "stimuli" / "body" / "truth.png"));
+    run = pairlight({"check", study});
+    EXPECT_THAT(run.out + run.err, HasSubstr("one of them the reference"));
+    run = pairlight({"session", study, "--observer", "P1", "--simulate", ""});
+    ASSERT_EQ(run.status, 0) << run.err;
+    run = pairlight({"export", study, "--format", "long"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_THAT(run.out, testing::AllOf(HasSubstr("phong"), HasSubstr("constant"),
+                                        testing::Not(HasSubstr("truth"))));
 }
 
 } // namespace

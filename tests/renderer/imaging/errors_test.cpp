@@ -160,7 +160,10 @@ TEST(ImageErrors, NameWhatCannotBeCompared) {
     bad.pixels[42] = {0, std::numeric_limits<float>::infinity(), 0};
     EXPECT_THAT(refusal(bad, good), testing::HasSubstr("the picture: pixel (2, 1) is (0, inf, 0)"));
     EXPECT_THAT(refusal(good, bad), testing::HasSubstr("the reference: pixel (2, 1)"));
+    bad.pixels[42] = {0, 0, std::numeric_limits<float>::quiet_NaN()};
+    EXPECT_THAT(refusal(bad, good), testing::HasSubstr("the picture: pixel (2, 1) is (0, 0, nan)"));
     EXPECT_THAT(refusal(plain({0, 0, 0}), good), testing::HasSubstr("the picture is black"));
+    EXPECT_THAT(refusal(good, plain({0, 0, 0})), testing::HasSubstr("the reference is black"));
     EXPECT_THAT(refusal(good, plain({1, 1, 1}, 30, 40)), testing::HasSubstr("40 x 30"));
     EXPECT_THAT(image_errors(good, good, {}).error(), testing::HasSubstr("mask is empty"));
 }

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <numeric>
 
 namespace {
 
@@ -246,6 +247,39 @@ TEST(Film, StandardErrorIsThatOfItsBatches) {
     EXPECT_EQ(standard_error(film, 0)[2], 0);
     EXPECT_EQ(halves(film).even.pixels[0].r, 2.5f);
     EXPECT_EQ(halves(film).odd.pixels[0].r, 3.5f);
+}
+
+// One batch in 25 met something bright: its light x stays, as x / 25 of the mean, and the standard
+// error says that the pixel hangs on one batch: s^2 = x^2 / 25, over 25 batches x / 25, all of it.
+TEST(Film, KeepsFirefliesAndReportsThemAsVariance) {
+    constexpr double x = 1e4;
+    constexpr std::uint32_t n = 25;
+    Film film = blank_film(10, 10, 1);
+    for (std::uint32_t b = 0; b < n; ++b) {
+        for (std::size_t pixel = 0; pixel < 100; ++pixel) {
+            const double even = b % 2 == 0 ? 1.001 : 0.999;
+            add(film, pixel, {{even, even, even}, 16});
+        }
+        ++film.batches;
+    }
+    film.sum[42][0] += x;
+    film.squares[42][0] += (1.001 + x) * (1.001 + x) - 1.001 * 1.001;
+
+    EXPECT_NEAR(mean(film, 42)[0], 1 + x / n, 1e-3);
+    EXPECT_NEAR(standard_error(film, 42)[0], x / n, 1e-3 * x / n);
+    EXPECT_LE(standard_error(film, 42)[1], 1e-3);
+    const auto layers = layers_of(film);
+    const auto* light = renderer::imaging::find_layer(layers, "R");
+    const auto* variance = renderer::imaging::find_layer(layers, "variance.R");
+    ASSERT_TRUE(light != nullptr && variance != nullptr);
+    EXPECT_NEAR(light->values[42], 1 + x / n, 1e-3);
+    EXPECT_EQ(std::ranges::max_element(variance->values) - variance->values.begin(), 42);
+    // and the picture is not called good for the 99 others
+    std::vector<std::size_t> mask(100);
+    std::iota(mask.begin(), mask.end(), 0u);
+    const auto state = judge(film, mask, {});
+    EXPECT_FALSE(state.converged);
+    EXPECT_DOUBLE_EQ(state.good_share, 0.99);
 }
 
 TEST(Convergence, StopsWhenTheRuleIsMetAndSaysHowSure) {

@@ -4,6 +4,7 @@
 #include "renderer/reference/energy.h"
 #include "renderer/reference/guiding.h"
 #include "renderer/reference/mesh_body.h"
+#include "renderer/reference/sunward_depth.h"
 #include "renderer/reference/walk.h"
 #include "tests/renderer/geometry/assembly.h"
 
@@ -233,8 +234,32 @@ TEST(Clearance, NeverExceedsTheDistanceFromASphere) {
                   distance + 1e-6); // faces inside it: the bound knows them, outside is farther
         greatest_loss = std::max(greatest_loss, distance - bound);
     }
-    EXPECT_LE(greatest_loss, 2 * std::sqrt(3.0) / 32 + 0.002); // two cells' diagonals
+    // two cells' diagonals, and a quarter of a cell that is rounded down
+    EXPECT_LE(greatest_loss, (2 * std::sqrt(3.0) + 0.25) / 32 + 0.002);
     EXPECT_EQ(clearance.at({2, 0, 0}), 0);
+}
+
+// Of a concave, hollow body, toward a slanting light: never more than there is, and half of that.
+TEST(SunwardDepth, NeverExceedsTheLengthInside) {
+    const glm::dvec3 to_light = glm::normalize(glm::dvec3(0.3, -0.5, 1));
+    for (const auto& mesh :
+         {renderer::geometry::shell(2, 1, 3), renderer::geometry::torus(1.4, 0.6, 32, 16)}) {
+        const auto body = make_mesh_body(mesh);
+        const auto depth = body->sunward_depth(to_light);
+        ASSERT_EQ(depth, body->sunward_depth(to_light)); // made once
+        const auto tracer = body->tracer();
+        double found = 0, there = 0;
+        for (std::uint32_t i = 0; i < 20000; ++i) {
+            PathRandom random({1, i, 0, 0, 0});
+            const glm::dvec3 p =
+                4.4 * glm::dvec3(random.next() - 0.5, random.next() - 0.5, random.next() - 0.5);
+            const double length = interior_length(*tracer, p, to_light);
+            EXPECT_LE(depth->at(p), length + 1e-6);
+            found += depth->at(p);
+            there += length;
+        }
+        EXPECT_GT(found, 0.5 * there);
+    }
 }
 
 // A sphere of triangles approaches the true one: at 5 subdivisions it is 0.06 % smaller.
