@@ -1,6 +1,7 @@
 #include "analysis/anova/measurements.h"
 
 #include "analysis/csv.h"
+#include "analysis/twin_names.h"
 #include "analysis/utf8.h"
 
 #include <fmt/format.h>
@@ -91,6 +92,14 @@ std::string asked_twice(const MeasurementColumns& columns) {
     return twice == all.end() ? "" : *twice;
 }
 
+std::string twin_levels(const Measurements& table) {
+    for (std::size_t f = 0; f < table.levels.size(); ++f)
+        if (auto twins = twins_but_for_blanks(table.levels[f], table.names.factors[f]);
+            !twins.empty())
+            return twins;
+    return twins_but_for_blanks(table.subjects, table.names.subject);
+}
+
 } // namespace
 
 Expected<Measurements> read_measurements(std::string_view text,
@@ -113,6 +122,8 @@ Expected<Measurements> read_measurements(std::string_view text,
     if (table.size() == 0)
         return tl::unexpected(
             fmt::format("{}:1: no values of '{}' below the header", name, columns.response));
+    if (auto twins = twin_levels(table); !twins.empty())
+        return tl::unexpected(fmt::format("{}: {}", name, twins));
     return table;
 }
 

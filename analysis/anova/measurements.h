@@ -32,7 +32,8 @@ struct Measurements {
 
 /// Reads a CSV table with a header row; other columns are ignored.
 /// Errors: `name:line: ...` for a column that is missing or asked for twice, a row of another
-/// length, a response that is no decimal number, an empty level, and a table without values.
+/// length, a response that is no decimal number, an empty level, a table without values, and
+/// levels that differ only in blanks around them.
 Expected<Measurements> read_measurements(std::string_view text,
                                          const std::string& name,
                                          const MeasurementColumns& columns);

@@ -4,6 +4,7 @@
 #include "analysis/formats/count_files.h"
 #include "analysis/formats/sureal_file.h"
 #include "analysis/formats/wide_files.h"
+#include "analysis/twin_names.h"
 #include "analysis/utf8.h"
 #include "analysis/vote_csv.h"
 
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace analysis::formats {
 
@@ -132,26 +132,6 @@ read_as(VoteFormat format, std::string_view text, const std::string& name, Repea
         return read_sureal_data_set(text, name);
     }
     return read_votes_csv(text, name, repeats);
-}
-
-std::string_view without_blanks_around(std::string_view name) {
-    const auto first = name.find_first_not_of(" \t\r\n");
-    if (first == name.npos)
-        return {};
-    return name.substr(first, name.find_last_not_of(" \t\r\n") - first + 1);
-}
-
-// "b" and " b" would be two conditions, which nobody sees in a table.
-std::string twins_but_for_blanks(const Dictionary& names, const char* what) {
-    std::map<std::string_view, const std::string*> seen;
-    for (const auto& name : names.names()) {
-        const auto [known, added] = seen.emplace(without_blanks_around(name), &name);
-        if (!added)
-            return fmt::format("{} '{}' and '{}' differ only in blanks around them, expected one "
-                               "spelling",
-                               what, *known->second, name);
-    }
-    return {};
 }
 
 } // namespace

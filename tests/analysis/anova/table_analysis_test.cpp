@@ -267,6 +267,8 @@ TEST(TableAnalysis, RefusalsNameWhatIsMissing) {
     EXPECT_EQ(refusal("a,y\np,1\nq,x\n", {"y", {"a"}, ""}),
               "t.csv:3: y: 'x', column 1: found 'x', expected a digit");
     EXPECT_EQ(refusal("a,y\np,1\n,2\n", {"y", {"a"}, ""}), "t.csv:3: a is empty, expected a level");
+    EXPECT_EQ(refusal("a,y\np,1\np ,2\n", {"y", {"a"}, ""}),
+              "t.csv: a 'p' and 'p ' differ only in blanks around them, expected one spelling");
     EXPECT_EQ(refusal("a,y\np,1\np,2\n", {"y", {"a"}, ""}),
               "'a' has one level, p; expected two or more");
     EXPECT_EQ(refusal("a,y\n", {"y", {"a"}, ""}), "t.csv:1: no values of 'y' below the header");
