@@ -79,8 +79,8 @@ class CostCommand : public testing::Test {
 };
 
 TEST_F(CostCommand, MeasuresComparesChoosesAndWrites) {
-    const auto done = cost({"--methods", "shss", "traced", "green", "phong", "--reference-seconds",
-                            "1", "--tolerance", "0.2"});
+    const auto done = cost({"--methods", "shss", "traced", "phong", "--held-out", "2",
+                            "--reference-seconds", "1", "--tolerance", "0.2"});
     ASSERT_EQ(done.status, 0) << done.err;
     for (const auto* file : {"cost.csv", "cost.html", "figures/cost-torus-back.svg",
                              "figures/cost-torus-front.pdf", "reference/torus/back.exr"})
