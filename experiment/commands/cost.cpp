@@ -1,7 +1,9 @@
 // pairlight cost: what every method and its dials cost, how far they are off, and which to take.
 #include "experiment/commands/commands.h"
 #include "experiment/commands/within.h"
+#include "experiment/cost/choices.h"
 #include "experiment/cost/contestants.h"
+#include "experiment/cost/cost_files.h"
 #include "experiment/cost/cost_page.h"
 #include "experiment/cost/measure_scene.h"
 #include "experiment/models.h"
@@ -9,6 +11,7 @@
 #include "experiment/read_study.h"
 #include "experiment/session/clock.h"
 #include "experiment/study_folder.h"
+#include "experiment/text_files.h"
 #include "renderer/gpu/context.h"
 #include "renderer/materials.h"
 
@@ -20,7 +23,9 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace experiment::commands {
 
@@ -45,6 +50,7 @@ struct Options {
     std::string error = "law";
     double tolerance = 0, budget_ms = 0;
     std::string out;
+    std::vector<std::string> earlier;
     Voice voice;
 };
 
@@ -137,6 +143,40 @@ void check(const Options& options, const std::vector<protocols::Scene>& scenes) 
                             options.subject, scene.id.value));
 }
 
+/// Earlier runs in one report, chosen from again: what was measured of the old choices stays with
+/// them.
+cost::CostReport put_together(const Options& options) {
+    std::optional<cost::CostReport> whole;
+    for (const auto& file : options.earlier) {
+        auto report = value_or_stop(read_text_file(file).and_then(
+            [&](const auto& text) { return cost::parse_cost(text, file); }));
+        if (!whole)
+            whole = report;
+        else if (report.law != whole->law || report.timed_by != whole->timed_by)
+            throw CommandError(fmt::format("{}: law {}, timed by {}; expected {} and {} as in {}",
+                                           file, report.law, report.timed_by, whole->law,
+                                           whole->timed_by, options.earlier.front()));
+        else
+            whole->scenes.insert(whole->scenes.end(), report.scenes.begin(), report.scenes.end());
+    }
+    whole->wish = wish_of(options);
+    for (auto& scene : whole->scenes)
+        for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+            const auto before = std::exchange(scene.lights[i].choice, {});
+            scene.lights[i].choice = cost::choose(scene, i, whole->wish);
+            if (auto& choice = scene.lights[i].choice; choice && before &&
+                                                       before->row == choice->row &&
+                                                       before->predicted == choice->predicted)
+                choice->measured = before->measured;
+        }
+    return *whole;
+}
+
+void tell(const Options& options, const fs::path& folder, const cost::CostReport& report) {
+    fmt::print("{}", cost::cost_text(report));
+    options.voice.remark(value_or_stop(cost::write_cost(folder, report)).string());
+}
+
 void run(Options& options) {
     const auto loaded = is_study(options.subject) ? value_or_stop(read_study(options.subject))
                                                   : study_of_model(options);
@@ -145,6 +185,8 @@ void run(Options& options) {
         chosen(shown_variants(loaded.study), options.variants, options.subject, "variant");
     check(options, scenes);
     const auto folder = folder_for(options, loaded);
+    if (!options.earlier.empty())
+        return tell(options, folder, put_together(options));
     options.measure.law = law_for(options, loaded.study);
     options.measure.wish = wish_of(options);
     options.measure.truth.study =
@@ -176,8 +218,7 @@ void run(Options& options) {
                 bar.update((static_cast<double>(i) + done) / static_cast<double>(scenes.size()));
             })));
     }
-    fmt::print("{}", cost::cost_text(report));
-    options.voice.remark(value_or_stop(cost::write_cost(folder, report)).string());
+    tell(options, folder, report);
 }
 
 void add_model_options(CLI::App& command, const std::shared_ptr<Options>& options) {
@@ -269,6 +310,9 @@ void add_cost(CLI::App& program) {
         ->check(within(1e-3, 1e6));
     command->add_option("--out", options->out,
                         "Folder to write; without it, STUDY/cost or <model>-cost");
+    command->add_option("--from", options->earlier,
+                        "cost.json of earlier runs: put together and chosen from again; nothing is "
+                        "measured");
     add_voice(*command, options->voice);
     command->callback([options] { run(*options); });
 }

@@ -104,7 +104,7 @@ std::string left_out(const SceneCost& scene,
     if (best != own)
         add(best);
     if (const auto& decision = row.lights[light].decision; !decision.empty())
-        words.push_back("by itself it chose " + decision);
+        words.push_back("in its own words: " + decision);
     return words.empty() ? "nothing: no setting that was measured is more exact"
                          : fmt::format("{}", fmt::join(words, "; "));
 }

@@ -192,6 +192,9 @@ front_script(const SceneCost& scene, std::size_t light, const Wish& wish, Figure
               "set grid xtics ytics lc rgb '#e3e6e8' lt 1 lw 0.5 back\n"
               "set tmargin at screen 0.80\nset bmargin at screen 0.16\n"
               "set xlabel 'ms a frame' font ',11'\nset title font ',12'\n";
+    // a panel may lie within a decade: 1, 2, 5 leave a number in any
+    script += "set xtics (1, 3, 10, 30, 100, 300, 1000, 3000, 10000)\n"
+              "set ytics (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500)\n";
     const double step = legend / static_cast<double>(kinds.size());
     for (std::size_t p = 0; p < kinds.size(); ++p) {
         const double left = step * static_cast<double>(p);

@@ -1,6 +1,8 @@
-// pairlight cost, from outside, on a torus that is measured in seconds.
+// pairlight cost, from outside, on a ring of 512 vertices.
+#include "renderer/geometry/bodies.h"
 #include "tests/end_to_end/program.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -22,7 +24,7 @@ width    = 64
 height   = 64
 [[scene]]
 id          = "torus"
-model       = "torus"
+model       = "ring.off"
 material    = "marble"
 diameter_mm = 40
 [[variant]]
@@ -43,7 +45,19 @@ method = "phong"
 
 class CostCommand : public testing::Test {
   protected:
-    void SetUp() override { write_file(folder_ / "study.toml", study_text); }
+    void SetUp() override {
+        write_file(folder_ / "study.toml", study_text);
+        write_file(folder_ / "ring.off", off_text(renderer::geometry::torus(0.7, 0.3, 32, 16)));
+    }
+
+    static std::string off_text(const renderer::geometry::Mesh& mesh) {
+        auto text = fmt::format("OFF\n{} {} 0\n", mesh.positions.size(), mesh.triangles.size());
+        for (const auto& p : mesh.positions)
+            text += fmt::format("{} {} {}\n", p.x, p.y, p.z);
+        for (const auto& t : mesh.triangles)
+            text += fmt::format("3 {} {} {}\n", t[0], t[1], t[2]);
+        return text;
+    }
 
     Outcome cost(std::vector<std::string> more) const {
         std::vector<std::string> command{"cost", folder_.path().string(), "--rounds", "2", "--size",
@@ -65,8 +79,8 @@ class CostCommand : public testing::Test {
 };
 
 TEST_F(CostCommand, MeasuresComparesChoosesAndWrites) {
-    const auto done = cost({"--methods", "shss", "traced", "green", "phong", "--reference-seconds",
-                            "1", "--tolerance", "0.2"});
+    const auto done = cost({"--methods", "shss", "traced", "phong", "--held-out", "2",
+                            "--reference-seconds", "1", "--tolerance", "0.2"});
     ASSERT_EQ(done.status, 0) << done.err;
     for (const auto* file : {"cost.csv", "cost.html", "figures/cost-torus-back.svg",
                              "figures/cost-torus-front.pdf", "reference/torus/back.exr"})
@@ -92,6 +106,14 @@ TEST_F(CostCommand, MeasuresComparesChoosesAndWrites) {
     EXPECT_LE(choice["measured"].get<double>(), 0.3);
     EXPECT_THAT(done.out, HasSubstr("Chosen: **" + choice["setting"].get<std::string>() + "**"));
     EXPECT_THAT(done.out, HasSubstr("Left out: "));
+
+    // chosen from again: the most exact there is, and nothing measured anew
+    const auto again = cost({"--from", (folder_ / "cost/cost.json").string(), "--tolerance",
+                             "0.000001", "--out", (folder_ / "again").string()});
+    ASSERT_EQ(again.status, 0) << again.err;
+    const auto other = json::parse(read_file(folder_ / "again/cost.json"))["scenes"][0];
+    EXPECT_EQ(other["rows"], scene["rows"]);
+    EXPECT_EQ(other["lights"][0]["choice"]["setting"], "Traced thickness");
 }
 
 TEST_F(CostCommand, UsesAPathTracedPictureThatIsThere) {
