@@ -105,6 +105,7 @@ TEST_F(SessionFaults, AStoreThatAnotherProgramHoldsEndsTheSittingAndKeepsItsVote
     EXPECT_LT(votes(), static_cast<std::size_t>(pairs_asked));
     auto again = sitting("stderr2");
     ASSERT_TRUE(press_to_the_end(again));
+    EXPECT_EQ(again.status(), 0) << read_file(study / "stderr2");
     expect_whole_sitting();
 }
 
