@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 namespace experiment::store {
@@ -16,6 +18,8 @@ namespace experiment::store {
 namespace {
 
 constexpr int busy_timeout_ms = 2000;
+
+constexpr int looks_at_a_log = 25; // half a second
 
 struct Finalize {
     void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
@@ -96,12 +100,28 @@ SqliteDatabase::SqliteDatabase(std::filesystem::path file, WhenMissing when_miss
         throw failure();
     sqlite3_busy_timeout(opened, busy_timeout_ms);
     execute("PRAGMA foreign_keys = ON; PRAGMA synchronous = EXTRA; PRAGMA trusted_schema = OFF");
+    touch();
+}
+
+// The first look at the file opens its log.  Another program that is just bringing the log into the
+// file may take it away in between: SQLite then says that it cannot be opened, and the next look
+// finds it gone or new.
+void SqliteDatabase::touch() {
+    for (int look = 0; look < looks_at_a_log; ++look) {
+        const int code =
+            sqlite3_exec(database_.get(), "PRAGMA schema_version", nullptr, nullptr, nullptr);
+        if ((code & 0xff) != SQLITE_CANTOPEN)
+            return; // whatever else is wrong, the first statement will say
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
 }
 
 // Where another program still has the file open, the log is left to it.
 void SqliteDatabase::Close::operator()(sqlite3* database) const {
-    sqlite3_busy_timeout(database, 0);
-    sqlite3_exec(database, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+    if (ends_the_log) {
+        sqlite3_busy_timeout(database, 0);
+        sqlite3_exec(database, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+    }
     sqlite3_close_v2(database);
 }
 
@@ -116,6 +136,7 @@ void SqliteDatabase::write_ahead() {
         return;
     sqlite3_exec(database_.get(), "PRAGMA wal_autocheckpoint = 0; PRAGMA journal_mode = WAL",
                  nullptr, nullptr, nullptr);
+    database_.get_deleter().ends_the_log = true;
 }
 
 void SqliteDatabase::keep_in_one_file() {

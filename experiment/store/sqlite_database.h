@@ -26,8 +26,9 @@ struct DatabaseError : std::runtime_error {
 enum class WhenMissing { Fail, Create };
 
 /// An open database file.  Writing waits two seconds for other writers, and a committed transaction
-/// is on the disk (synchronous EXTRA), in the file or in the log beside it.  Whoever closes the
-/// file last leaves no log behind.  Every function throws DatabaseError.
+/// is on the disk (synchronous EXTRA), in the file or in the log beside it.  Whoever began a log
+/// brings it into the file in the end, if nobody else has it open.  Every function throws
+/// DatabaseError.
 class SqliteDatabase {
   public:
     SqliteDatabase(std::filesystem::path file, WhenMissing when_missing);
@@ -59,8 +60,11 @@ class SqliteDatabase {
 
   private:
     struct Close {
+        bool ends_the_log = false;
         void operator()(sqlite3* database) const;
     };
+
+    void touch();
 
     [[nodiscard]] DatabaseError failure() const;
     std::string journal_mode() const;

@@ -237,6 +237,7 @@ std::string page(const std::vector<Row>& rows) {
         "precision_report`, then run\n"
         "`build/release/tests/analysis/precision_report docs/precision.md`. A test measures again "
         "and fails where a figure is lost.\n\n"
+        "Of light and of image errors: [precision-transport.md](precision-transport.md).\n\n"
         "| quantity | compared with | values | digits |\n|---|---|---|---|\n";
     for (const auto& row : rows)
         text += fmt::format("| {} | {} | {} | {:.1f} |\n", row.what, row.reference, row.values,
