@@ -60,7 +60,7 @@ class SqliteDatabase {
 
   private:
     struct Close {
-        bool ends_the_log = false;
+        bool ends_the_log; ///< false until one is begun
         void operator()(sqlite3* database) const;
     };
 
