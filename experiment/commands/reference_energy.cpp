@@ -163,11 +163,7 @@ void add_shape(CLI::App& reference, const char* name, const char* description, E
         ->capture_default_str();
     command->add_option("--json", options->json, "Write JSON to this file; - is standard output");
     add_voice(*command, options->voice);
-    command->callback([options] {
-        // asking for the whole ray is cheap in closed form, dear in a mesh
-        options->run.tactics.expect_escape = options->shape != EnergyShape::Furnace;
-        run(*options);
-    });
+    command->callback([options] { run(*options); });
 }
 
 } // namespace

@@ -96,8 +96,11 @@ void LightCollector<N>::escaped(const Path<N>& path) {
 template <std::size_t N>
 double LightCollector<N>::drawn_asking(const Path<N>& path, double least_length, double u) const {
     double worth = 0;
-    for (std::size_t k = 0; k < N; ++k)
-        worth = std::max(worth, path.weight[k] * std::exp(-extinction(medium_, k) * least_length));
+    for (std::size_t k = 0; k < N; ++k) {
+        const double passing =
+            least_length > 0 ? std::exp(-extinction(medium_, k) * least_length) : 1;
+        worth = std::max(worth, path.weight[k] * passing);
+    }
     if (worth >= threshold_)
         return worth > 0 ? 1 : 0;
     const double asking = worth / threshold_;

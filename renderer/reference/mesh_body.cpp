@@ -23,6 +23,9 @@ constexpr double surface_offset = 2e-6;
 
 constexpr float nearest = 1e-6f;
 
+// Of the bounding sphere's radius, and a hair.
+constexpr float bounding_square = 0.25001f;
+
 // Where `along` found a crossing, a second ray finds it again within its rounding, or that of a
 // ray jittered by 1e-5.
 constexpr float slack = 2e-5f;
@@ -45,11 +48,15 @@ class MeshTracer final : public BodyTracer {
     }
 
     /// Looks a little back, too: rounding may have put the point on the surface's other side,
-    /// whence the ray would meet nothing.
+    /// whence the ray would meet nothing.  Nothing that leaves the bounding sphere is clear, so
+    /// that a path that has got out unseen is found out.
     bool is_clear(glm::dvec3 point, glm::dvec3 direction, double length) override {
         const glm::vec3 origin = scene_from(point), along(direction);
         const auto far = static_cast<float>(length / scene_.model_per_scene());
-        return far < clearance_.at(origin) ||
+        if (far < clearance_.at(origin))
+            return true;
+        const glm::vec3 end = origin + far * along;
+        return glm::dot(end, end) <= bounding_square &&
                !scene_.meets(origin - nearest * along, along, 0, far + nearest);
     }
 

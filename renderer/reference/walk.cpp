@@ -3,7 +3,6 @@
 
 #include "renderer/contract.h"
 #include "renderer/reference/flight.h"
-#include "renderer/reference/guiding.h"
 #include "renderer/reference/phase.h"
 
 #include <glm/geometric.hpp>
@@ -65,17 +64,17 @@ double balance(Path<N>& path) {
 template <std::size_t N>
 Spectrum<N>
 advance(Path<N>& path, const Spectrum<N>& f, const Spectrum<N>& p, const Spectrum<N>& other) {
-    const double p_h = p[path.hero];
     Spectrum<N> otherwise;
     if constexpr (N == 1) { // one hero: its ratio is 1
-        otherwise[0] = path.weight[0] * (other[0] / p_h);
-        path.weight[0] *= f[0] / p_h;
+        otherwise[0] = path.weight[0] * (other[0] / p[0]);
+        path.weight[0] *= f[0] / p[0]; // exactly 1 where nothing absorbs
         return otherwise;
     }
+    const double per_density = 1 / p[path.hero];
     for (std::size_t k = 0; k < N; ++k) {
-        otherwise[k] = path.weight[k] * other[k] / p_h;
-        path.weight[k] *= f[k] / p_h;
-        path.ratio[k] *= p[k] / p_h;
+        otherwise[k] = path.weight[k] * other[k] * per_density;
+        path.weight[k] *= f[k] * per_density;
+        path.ratio[k] *= p[k] * per_density;
     }
     const double factor = balance(path);
     for (auto& weight : otherwise)
@@ -102,11 +101,7 @@ Walk<N>::Walk(const Medium& medium,
         sigma_a_[k] = medium.sigma_a[k];
         sigma_s_[k] = medium.sigma_s[k];
         sigma_t_[k] = extinction(medium, k);
-        // At the ends of its range the guide is no density: there it keeps just inside.
-        rate_[k] =
-            sigma_t_[k] > 0 ? std::clamp(decay_rate(sigma_s_[k] / sigma_t_[k]), 0.01, 0.99) : 0.01;
     }
-    EXPECTS(tactics.guided_share >= 0 && tactics.guided_share < 1);
     if (index_ == 1) // a polished or rough surface between equal indices is none
         boundary_.kind = BoundaryKind::Matched;
 }
@@ -129,24 +124,18 @@ void Walk<N>::follow(Path<N> path, PathRandom& random) {
 
 template <std::size_t N>
 double Walk<N>::flight(const Path<N>& path, PathRandom& random) const {
-    double sigma = sigma_t_[path.hero];
-    if (path.turn.is_guided)
-        sigma *= guided_stretch(path.turn.cosine, rate_[path.hero]);
-    return flight_length(random.next(), sigma);
+    return flight_length(random.next(), sigma_t_[path.hero]);
 }
 
 /// Matched: a line may leave the body and come back in; only what it covers inside counts.
 template <std::size_t N>
 typename Walk<N>::Fate Walk<N>::fly_straight(Path<N>& path, PathRandom& random) {
     const double length = flight(path, random);
-    if (path.is_inside && !tactics_.expect_escape &&
-        tracer_.is_clear(path.position, path.direction, length)) {
+    if (path.is_inside && tracer_.is_clear(path.position, path.direction, length)) {
         path.position += length * path.direction;
         return collide(path, length, random);
     }
     const auto stretches = tracer_.along(path.position, path.direction);
-    if (tactics_.expect_escape)
-        score_escape(path, covered_by(stretches));
     const bool is_outside = stretches.empty() || stretches.front().begin > 0;
     if (path.is_inside && is_outside && is_deep(path)) {
         events_.leaked();
@@ -163,8 +152,6 @@ typename Walk<N>::Fate Walk<N>::fly_straight(Path<N>& path, PathRandom& random) 
     }
     if (std::isinf(covered)) // for ever on, through a half-space
         return Fate::Ends;
-    if (tactics_.expect_escape)
-        return Fate::Ends;
     pass(path, covered);
     path.is_inside = false;
     events_.escaped(path);
@@ -176,17 +163,10 @@ template <std::size_t N>
 void Walk<N>::score_escape(Path<N> path, double length) const {
     if (std::isinf(length))
         return;
-    Spectrum<N> passing, density;
-    for (std::size_t k = 0; k < N; ++k) {
+    Spectrum<N> passing;
+    for (std::size_t k = 0; k < N; ++k)
         passing[k] = transmittance(sigma_t_[k], length);
-        density[k] = 1;
-        if (path.turn.is_drawn) { // the direction alone was drawn
-            passing[k] *= path.turn.scattered;
-            density[k] = (1 - tactics_.guided_share) * path.turn.scattered +
-                         tactics_.guided_share * guided_density(path.turn.cosine, rate_[k]);
-        }
-    }
-    advance(path, passing, density, {});
+    advance(path, passing, all_ones<N>(), {});
     path.is_inside = false;
     events_.escaped(path);
 }
@@ -324,34 +304,15 @@ Walk<N>::cross_rough(Path<N>& path, glm::dvec3 facing, double index, PathRandom&
     }
 }
 
-/// The density with which a mixture of scattering and guiding turns into this direction and, in
-/// one channel, collides after `length` or passes it.
-template <std::size_t N>
-double
-Walk<N>::mixed(const Turn& turn, std::size_t channel, double length, bool is_collision) const {
-    const double sigma = sigma_t_[channel];
-    const double stretched = sigma * guided_stretch(turn.cosine, rate_[channel]);
-    const double c = tactics_.guided_share;
-    return (1 - c) * turn.scattered * (is_collision ? sigma : 1) * transmittance(sigma, length) +
-           c * guided_density(turn.cosine, rate_[channel]) * (is_collision ? stretched : 1) *
-               transmittance(stretched, length);
-}
-
 /// The path has covered `length` without colliding.
 template <std::size_t N>
 void Walk<N>::pass(Path<N>& path, double length) const {
-    if (N == 1 && !path.turn.is_drawn) // what one channel loses is just what collided
+    if (N == 1) // what one channel loses is just what collided
         return;
-    Spectrum<N> passing, density;
-    for (std::size_t k = 0; k < N; ++k) {
-        passing[k] = density[k] = transmittance(sigma_t_[k], length);
-        if (path.turn.is_drawn) {
-            passing[k] *= path.turn.scattered;
-            density[k] = mixed(path.turn, k, length, false);
-        }
-    }
-    advance(path, passing, density, {});
-    path.turn = {};
+    Spectrum<N> passing;
+    for (std::size_t k = 0; k < N; ++k)
+        passing[k] = transmittance(sigma_t_[k], length);
+    advance(path, passing, passing, {});
 }
 
 /// The path, already there, has collided after `length`.
@@ -361,18 +322,13 @@ typename Walk<N>::Fate Walk<N>::collide(Path<N>& path, double length, PathRandom
     const double sigma_h = sigma_t_[path.hero];
     for (std::size_t k = 0; k < N; ++k) {
         // relative to the hero's, so that nothing underflows over long flights
-        double reaching =
-            N == 1 ? 1 / sigma_h : std::exp((sigma_h - sigma_t_[k]) * length) / sigma_h;
+        const double reaching =
+            (k == path.hero ? 1 : std::exp((sigma_h - sigma_t_[k]) * length)) / sigma_h;
         density[k] = sigma_t_[k] * reaching;
-        if (path.turn.is_drawn) {
-            reaching = path.turn.scattered * transmittance(sigma_t_[k], length);
-            density[k] = mixed(path.turn, k, length, true);
-        }
         scattered[k] = sigma_s_[k] * reaching;
         absorbed[k] = sigma_a_[k] * reaching;
     }
     const auto stays = advance(path, scattered, density, absorbed);
-    path.turn = {};
     return turn(path, stays, random);
 }
 
@@ -406,25 +362,14 @@ template <std::size_t N>
 void Walk<N>::choose_direction(Path<N>& path, PathRandom& random) const {
     const double g = medium_.anisotropy;
     const double u = random.next(), v = random.next();
-    const bool may_guide = tactics_.guided_share > 0 && boundary_.kind == BoundaryKind::Matched;
-    if (!may_guide && g == 0) { // whither does not depend on whence
+    if (g == 0) { // whither does not depend on whence
         path.turn_density = isotropic;
         path.direction = around({0, 0, 1}, 2 * u - 1, v);
         return;
     }
-    if (!may_guide) {
-        const double cosine = sample_henyey_greenstein(u, g);
-        path.turn_density = henyey_greenstein(cosine, g);
-        path.direction = around(path.direction, cosine, v);
-        return;
-    }
-    const bool is_guided = random.next() < tactics_.guided_share;
-    const glm::dvec3 direction =
-        is_guided ? around(tactics_.guide_axis, sample_guided_cosine(u, rate_[path.hero]), v)
-                  : around(path.direction, sample_henyey_greenstein(u, g), v);
-    path.turn_density = henyey_greenstein(glm::dot(path.direction, direction), g);
-    path.turn = {true, is_guided, path.turn_density, glm::dot(direction, tactics_.guide_axis)};
-    path.direction = direction;
+    const double cosine = sample_henyey_greenstein(u, g);
+    path.turn_density = henyey_greenstein(cosine, g);
+    path.direction = around(path.direction, cosine, v);
 }
 
 template class Walk<1>;

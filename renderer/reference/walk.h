@@ -23,14 +23,6 @@ constexpr Spectrum<N> all_ones() {
     return ones;
 }
 
-/// How a path's direction was found, until the flight along it has ended and both are weighed.
-struct Turn {
-    bool is_drawn = false;  ///< the direction was drawn from a mixture and is not yet weighed
-    bool is_guided = false; ///< by the guide, not by the medium
-    double scattered = 0;   ///< the medium's density of that direction, per steradian
-    double cosine = 0;      ///< to the guide's axis
-};
-
 /// Where a path is and what it carries.  N channels: three, or one when one says all.
 template <std::size_t N>
 struct Path {
@@ -44,7 +36,6 @@ struct Path {
     /// Per steradian, of the last turn at which a connection to the light was possible; 0 as long
     /// as there was none.
     double turn_density = 0;
-    Turn turn{};
 };
 
 /// Who is told what happens on the way.
@@ -75,13 +66,6 @@ class WalkEvents {
 struct WalkTactics {
     int roulette_after = 32; ///< collisions
     bool force_first = true; ///< matched: every first flight collides, what passes is exact
-    /// Matched: every flight scores what would escape along it, whether it does or not.  Pays where
-    /// asking for the whole ray is cheap (bodies in closed form) and little light gets out.
-    bool expect_escape = false;
-    /// Matched: this share of turns and flights is drawn toward `guide_axis`
-    /// (renderer/reference/guiding.h), weighed by the mixture's density in every channel.
-    double guided_share = 0; ///< 0..1, exclusive of 1
-    glm::dvec3 guide_axis{0, 0, 1};
 };
 
 template <std::size_t N>
@@ -115,7 +99,6 @@ class Walk {
     Fate collide(Path<N>& path, double length, PathRandom& random);
     Fate turn(Path<N>& path, const Spectrum<N>& absorbed, PathRandom& random);
     void choose_direction(Path<N>& path, PathRandom& random) const;
-    double mixed(const Turn& turn, std::size_t channel, double length, bool is_collision) const;
 
     const Medium& medium_;
     Boundary boundary_;
@@ -125,7 +108,6 @@ class Walk {
     double offset_;
     double index_;
     Spectrum<N> sigma_t_{}, sigma_s_{}, sigma_a_{};
-    Spectrum<N> rate_{}; ///< the guide's, per channel; empty where it cannot guide
 };
 
 extern template class Walk<1>;

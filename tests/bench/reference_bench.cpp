@@ -106,16 +106,6 @@ std::vector<Choice> choices() {
         t.walk.roulette_after = after;
         list.push_back({fmt::format("+ roulette after {}", after), t, 6});
     }
-    for (const double share : {0.25, 0.5}) {
-        auto t = forced;
-        t.light_threshold = 0.1;
-        t.walk.guided_share = share;
-        list.push_back({fmt::format("+ guided share {}", share), t, 6});
-    }
-    auto expected = forced;
-    expected.light_threshold = 0.1;
-    expected.walk.expect_escape = true;
-    list.push_back({"+ expected escape", expected, 6});
     return list;
 }
 
@@ -137,13 +127,11 @@ void tactics_table(int pixels, int samples, int repeats) {
         for (int r = 0; r < repeats; ++r) {
             double of_plain = 0;
             for (std::size_t i = 0; i < list.size(); ++i) {
-                auto tactics = list[i].tactics;
-                if (!picture.illumination.suns.empty())
-                    tactics.walk.guide_axis = picture.illumination.suns[0].to_light;
                 Film film = blank_film(pixels, pixels, static_cast<std::uint64_t>(r + 1),
                                        list[i].log2_batch);
                 const auto batches = static_cast<std::uint32_t>(samples >> list[i].log2_batch);
-                const double efficiency = measure(picture, film, batches, tactics).efficiency();
+                const double efficiency =
+                    measure(picture, film, batches, list[i].tactics).efficiency();
                 of_plain = i == 0 ? efficiency : of_plain;
                 ratio[i].push_back(efficiency / of_plain);
             }
@@ -190,7 +178,7 @@ void scaling() {
                 const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                                 threads);
                 Film film = blank_film(128, 128, 1);
-                const auto y = measure(picture, film, 1, {});
+                const auto y = measure(picture, film, 2, {});
                 rate[threads - 1].push_back(y.samples / y.wall);
             }
         for (auto& rates : rate)

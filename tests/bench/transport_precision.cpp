@@ -39,7 +39,7 @@ struct Result {
 /// A pilot says how many paths the error takes, and how long they do.
 Result run(const Anchor& anchor, double relative, double most_seconds) {
     constexpr std::uint64_t pilot_paths = 1 << 18;
-    EnergyRun run{.paths = pilot_paths, .seed = 11, .tactics = {.expect_escape = true}};
+    EnergyRun run{.paths = pilot_paths, .seed = 11};
     auto start = Clock::now();
     const auto pilot = estimate_of(anchor, run);
     const double pilot_seconds = seconds_since(start);

@@ -170,6 +170,10 @@ geometry::Mesh needle_tower(double gap) {
     return mesh;
 }
 
+geometry::Mesh cube() {
+    return geometry::slab(2, 2, 2, 1);
+}
+
 // One rounding of the float in which rays are traced; the tower's diameter is 2 sqrt(3).
 geometry::Mesh narrow_tower() {
     return needle_tower(0x1p-25 * 2 * std::sqrt(3.0));
@@ -179,6 +183,17 @@ TEST(NeedleTower, KeepsItsNeedlesInFloat) {
     const geometry::RayScene scene(narrow_tower());
     const auto p = scene.positions();
     EXPECT_EQ(p[2].y, std::nextafter(p[3].y, 0.0f));
+}
+
+TEST(Walk, LosesNothingOutOfNeedles) {
+    for (const auto& mesh : {cube(), narrow_tower(), geometry::sphere(1, 1)})
+        for (const auto& [boundary, index] : {std::pair{matched, 1.0}, {smooth, 1.4}}) {
+            const auto bounds = geometry::bounding_sphere(mesh);
+            const auto b = body_energy(*make_mesh_body(mesh), bounds.centre, bounds.radius,
+                                       grey_medium(1, 1, 0, index), boundary, {.paths = 1 << 14});
+            EXPECT_NEAR(b.escape.value + b.roulette.value, 1, 1e-12);
+            EXPECT_EQ(b.leaks, 0u);
+        }
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 #include "renderer/geometry/bodies.h"
 #include "renderer/reference/clearance.h"
 #include "renderer/reference/energy.h"
-#include "renderer/reference/guiding.h"
 #include "renderer/reference/mesh_body.h"
 #include "renderer/reference/sunward_depth.h"
 #include "renderer/reference/walk.h"
@@ -106,52 +105,6 @@ TEST(GasBubble, ReflectsTotallyOutside) {
     EXPECT_LE(deviation(b.collisions, 4.0 / 3 / 2.25), 4);
 }
 
-TEST(ExpectedEscape, FindsTheSameAsWalkingOut) {
-    const EnergyProblem slab{0.9, 0.3, 4, 1, matched};
-    const auto walked = slab_energy(slab, {.paths = 1 << 16});
-    const auto expected =
-        slab_energy(slab, {.paths = 1 << 16, .seed = 2, .tactics = {.expect_escape = true}});
-    EXPECT_LE(std::abs(walked.through.value - expected.through.value),
-              4 * std::hypot(walked.through.standard_error, expected.through.standard_error));
-}
-
-TEST(Guiding, IsADensityAndItsSamples) {
-    for (const double rate : {0.01, 0.3, 0.7, 0.99}) {
-        double integral = 0, mean = 0, sampled = 0;
-        constexpr int n = 200'000;
-        for (int i = 0; i < n; ++i) {
-            const double u = (i + 0.5) / n, cosine = 2 * u - 1;
-            const double density = 4 * 3.141592653589793 * guided_density(cosine, rate) / n;
-            integral += density;
-            mean += density * cosine;
-            sampled += sample_guided_cosine(u, rate) / n;
-        }
-        EXPECT_NEAR(integral, 1, 1e-6) << rate;
-        EXPECT_NEAR(sampled, mean, 1e-6) << rate;
-    }
-    EXPECT_NEAR(decay_rate(1), 0, 1e-12);
-    // the exact rate solves (rate / 2 albedo) 2 = ln((1 + rate) / (1 - rate)); at 0.9: 0.52543
-    EXPECT_NEAR(decay_rate(0.9), 0.52543, 1e-3);
-}
-
-TEST(Guiding, ChangesNothingOnAverage) {
-    for (const double g : {0.0, 0.6}) {
-        const EnergyProblem slab{0.9, g, 4, 1, matched};
-        const auto free = slab_energy(slab, {.paths = 1 << 17});
-        for (const bool expected : {false, true}) {
-            const auto guided = slab_energy(slab, {.paths = 1 << 17,
-                                                   .seed = 2,
-                                                   .tactics = {.expect_escape = expected,
-                                                               .guided_share = 0.5,
-                                                               .guide_axis = {0, 0, -1}}});
-            EXPECT_LE(std::abs(free.through.value - guided.through.value),
-                      4 * std::hypot(free.through.standard_error, guided.through.standard_error));
-            EXPECT_LE(std::abs(free.back.value - guided.back.value),
-                      4 * std::hypot(free.back.standard_error, guided.back.standard_error));
-        }
-    }
-}
-
 /// What escapes, channel by channel.
 class ColourTally final : public WalkEvents<3> {
   public:
@@ -176,13 +129,11 @@ class ColourTally final : public WalkEvents<3> {
 TEST(Colours, WalkedTogetherAreThoseWalkedAlone) {
     Medium medium{{0.05, 0, 1}, {0.95, 0, 0}, 0.2, 1.3};
     for (const auto& boundary : {matched, smooth})
-        for (const double guided : {-1.0, 0.0, 0.4}) { // -1: nothing forced either
-            const bool forced = guided >= 0;
+        for (const bool forced : {false, true}) {
             const auto body = make_sphere(2);
             const auto tracer = body->tracer();
             ColourTally tally;
-            Walk<3> walk(medium, boundary, *body, *tracer, tally,
-                         {.force_first = forced, .guided_share = std::max(guided, 0.0)});
+            Walk<3> walk(medium, boundary, *body, *tracer, tally, {.force_first = forced});
             constexpr int batches = 256;
             Spectrum<3> mean{}, squares{};
             for (std::uint32_t b = 0; b < batches; ++b) {
@@ -214,7 +165,7 @@ TEST(Colours, WalkedTogetherAreThoseWalkedAlone) {
                     std::sqrt(std::max(0.0, squares[k] - mean[k] * mean[k]) / batches);
                 EXPECT_LE(std::abs(mean[k] - exact[k].value),
                           4 * std::hypot(se, exact[k].standard_error) + 1e-12)
-                    << k << ' ' << guided;
+                    << k << ' ' << forced;
             }
             EXPECT_EQ(tally.leaks, 0);
         }
