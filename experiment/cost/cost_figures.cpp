@@ -190,7 +190,7 @@ front_script(const SceneCost& scene, std::size_t light, const Wish& wish, Figure
                           gnuplot_string(scene.label + ", " + scene.lights[light].label));
     script += "set logscale xy\nset format xy '%g'\nset border 3\nset tics out font ',11'\n"
               "set grid xtics ytics lc rgb '#e3e6e8' lt 1 lw 0.5 back\n"
-              "set tmargin at screen 0.80\nset bmargin at screen 0.16\n"
+              "set tmargin at screen 0.80\nset bmargin at screen 0.22\n"
               "set xlabel 'ms a frame' font ',11'\nset title font ',12'\n";
     // a panel may lie within a decade: 1, 2, 5 leave a number in any
     script += "set xtics (1, 3, 10, 30, 100, 300, 1000, 3000, 10000)\n"
