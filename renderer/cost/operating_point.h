@@ -34,9 +34,9 @@ struct OperatingPoint {
     std::vector<std::size_t> as_fast;
 };
 
-/// The fastest whose error is at most `tolerance`.  Whose times lie within the quartiles of the
-/// fastest is as fast: of those the one with the fewest bytes, then the least precomputation, then
-/// the least error is taken, so that noise does not choose.
+/// The fastest whose error is at most `tolerance`.  Whose lower quartile is not above the upper one
+/// of the fastest is as fast: of those the one with the fewest bytes, then the least
+/// precomputation, then the least error is taken, so that noise does not choose.
 /// Nothing when no error is known.
 std::optional<OperatingPoint> within_tolerance(std::span<const Candidate> candidates,
                                                double tolerance);
