@@ -124,6 +124,11 @@ SessionPlan read_plan(Section section) {
     section.whole("between_ms", {0, 60000}, plan.between_ms);
     section.whole("longest_minutes", {0, 600}, plan.longest_minutes);
     section.whole("deadline_s", {0, 600}, plan.deadline_s);
+    if (plan.deadline_s > 0 && 1000 * plan.deadline_s <= plan.closed_ms)
+        section.note("deadline_s",
+                     fmt::format("{} s, which is over before an answer counts (closed_ms = {}), "
+                                 "expected more, or 0 for none",
+                                 plan.deadline_s, plan.closed_ms));
     plan.after_deadline = read_word<AfterDeadline>(
         section, "after_deadline",
         {{"again", AfterDeadline::Again}, {"missing", AfterDeadline::Missing}});

@@ -17,10 +17,13 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -119,6 +122,16 @@ fs::path folder_for(const Options& options, const LoadedStudy& loaded) {
     return is_study(options.subject) ? loaded.folder.cost() : fs::path(loaded.study.id + "-cost");
 }
 
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error || ::access(folder.c_str(), W_OK) != 0)
+        throw CommandError(fmt::format("{}: nothing can be written there ({}); name another folder "
+                                       "with --out",
+                                       folder.string(),
+                                       error ? error.message() : std::strerror(errno)));
+}
+
 cost::Wish wish_of(const Options& options) {
     cost::Wish wish{.error = *cost::error_kind(options.error)};
     if (options.tolerance > 0)
@@ -192,7 +205,8 @@ void run(Options& options) {
     options.measure.truth.study =
         is_study(options.subject) ? loaded.folder : StudyFolder{folder / "study"};
     options.measure.truth.own = folder / "reference";
-    // a slip in the names should not wait for the models
+    // neither a folder that cannot be written nor a slip in the names should wait for the models
+    make_folder(folder);
     value_or_stop(cost::settings_of(options.measure.methods, options.measure.law, true));
 
     const auto context = value_or_stop(renderer::gpu::Context::surfaceless());

@@ -1,14 +1,17 @@
 // Optional members are written when they are there; nothing stands for "not measured".
 #include "experiment/cost/cost_files.h"
 
+#include "experiment/cost/cost_figures.h"
 #include "experiment/tables.h"
-#include "renderer/cost/pareto.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
 
 namespace experiment::cost {
 
@@ -23,11 +26,19 @@ std::string number(std::optional<double> value) {
     return value && !std::isnan(*value) ? fmt::format("{:.6g}", *value) : "";
 }
 
-std::vector<std::size_t> front(const SceneCost& scene, std::size_t light, ErrorKind kind) {
-    std::vector<renderer::cost::Tradeoff> all;
-    for (const auto& row : scene.rows)
-        all.push_back({row.frame_ms.median, error_of(row, light, kind)});
-    return renderer::cost::pareto_front(all);
+/// What a cost report cannot hold; says so itself, as the library's own complaints do.
+struct Misfit : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A number of things, whole: the library by itself takes -5 and 1.7 for one.
+template <class Whole>
+Whole count(const Json& json, const char* key) {
+    const auto& value = json.at(key);
+    if (!value.is_number_unsigned() ||
+        value.get<std::uint64_t>() > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
+        throw Misfit(fmt::format("{} is {}, expected a whole number from 0", key, value.dump()));
+    return value.get<Whole>();
 }
 
 template <class T>
@@ -45,8 +56,22 @@ Json as_json(const Spread& spread) {
     return {{"lower", spread.lower}, {"median", spread.median}, {"upper", spread.upper}};
 }
 
-Spread spread(const Json& json) {
-    return {json.at("lower"), json.at("median"), json.at("upper")};
+Spread spread(const Json& json, const char* key) {
+    const auto& value = json.at(key);
+    const Spread spread{value.at("lower"), value.at("median"), value.at("upper")};
+    if (!(spread.lower >= 0 && spread.lower <= spread.median && spread.median <= spread.upper))
+        throw Misfit(
+            fmt::format("{} is {}, expected 0 <= lower <= median <= upper", key, value.dump()));
+    return spread;
+}
+
+/// Absent, or a finite number from 0: times, errors and changes are no less.
+std::optional<double> amount(const Json& json, const char* key) {
+    const auto value = find<double>(json, key);
+    if (value && !(*value >= 0 && *value < 1e30)) // no figure has room for more
+        throw Misfit(
+            fmt::format("{} is {}, expected a number from 0 to 1e30", key, json.at(key).dump()));
+    return value;
 }
 
 Json as_json(const LightErrors& errors) {
@@ -64,14 +89,14 @@ Json as_json(const LightErrors& errors) {
 }
 
 LightErrors light_errors(const Json& json) {
-    return {find<double>(json, "law"),
-            find<double>(json, "reference"),
-            find<double>(json, "fitted"),
-            find<double>(json, "as_drawn"),
-            find<double>(json, "flip"),
+    return {amount(json, "law"),
+            amount(json, "reference"),
+            amount(json, "fitted"),
+            amount(json, "as_drawn"),
+            amount(json, "flip"),
             find<std::string>(json, "decision").value_or(""),
-            find<double>(json, "predicted_change"),
-            find<double>(json, "measured_change")};
+            amount(json, "predicted_change"),
+            amount(json, "measured_change")};
 }
 
 Json as_json(const Row& row) {
@@ -98,14 +123,14 @@ Row row_of(const Json& json) {
             .label = json.at("label"),
             .dials = json.at("dials"),
             .setting = json.at("setting"),
-            .precompute_seconds = find<double>(json, "precompute_seconds"),
-            .bytes_per_vertex = json.at("bytes_per_vertex"),
-            .bytes_per_light = json.at("bytes_per_light"),
-            .frame_ms = spread(json.at("frame_ms")),
-            .resting_ms = spread(json.at("resting_ms")),
-            .to_bare = spread(json.at("to_bare")),
+            .precompute_seconds = amount(json, "precompute_seconds"),
+            .bytes_per_vertex = count<std::size_t>(json, "bytes_per_vertex"),
+            .bytes_per_light = count<std::size_t>(json, "bytes_per_light"),
+            .frame_ms = spread(json, "frame_ms"),
+            .resting_ms = spread(json, "resting_ms"),
+            .to_bare = spread(json, "to_bare"),
             .clock_ms = json.at("clock_ms"),
-            .thickness = find<double>(json, "thickness"),
+            .thickness = amount(json, "thickness"),
             .lights = {}};
     for (const auto& light : json.at("lights"))
         row.lights.push_back(light_errors(light));
@@ -130,16 +155,16 @@ Json as_json(const SceneCost& scene, std::size_t i) {
     }
     for (const auto kind : all_errors)
         if (has_error(scene, i, kind))
-            json["front"][std::string(name_of(kind))] = front(scene, i, kind);
+            json["front"][std::string(name_of(kind))] = front_of(scene, i, kind);
     return json;
 }
 
 LightCase light_case(const Json& json) {
     LightCase light{json.at("id"),
                     json.at("label"),
-                    json.at("width"),
-                    json.at("height"),
-                    find<double>(json, "noise_floor"),
+                    count<int>(json, "width"),
+                    count<int>(json, "height"),
+                    amount(json, "noise_floor"),
                     json.at("reference"),
                     {}};
     if (json.contains("choice")) {
@@ -172,10 +197,10 @@ SceneCost scene_cost(const Json& json) {
     SceneCost scene{.id = json.at("id"),
                     .label = json.at("label"),
                     .model = json.at("model"),
-                    .vertices = json.at("vertices"),
-                    .triangles = json.at("triangles"),
-                    .frame_width = json.at("frame_width"),
-                    .frame_height = json.at("frame_height"),
+                    .vertices = count<std::size_t>(json, "vertices"),
+                    .triangles = count<std::size_t>(json, "triangles"),
+                    .frame_width = count<int>(json, "frame_width"),
+                    .frame_height = count<int>(json, "frame_height"),
                     .lights = {},
                     .rows = {},
                     .remarks = json.at("remarks")};
@@ -194,6 +219,8 @@ Json as_json(const Wish& wish) {
 }
 
 std::string wrong_places(const CostReport& report) {
+    if (report.scenes.empty())
+        return "no scene in it; run `pairlight cost` again";
     for (const auto& scene : report.scenes) {
         for (const auto& row : scene.rows)
             if (row.lights.size() != scene.lights.size())
@@ -211,7 +238,7 @@ csv_fields(const SceneCost& scene, std::size_t i, std::size_t r, const CostRepor
     const auto& row = scene.rows[r];
     const auto& errors = row.lights[i];
     const auto is_in = [&](ErrorKind kind) -> std::string {
-        const auto all = front(scene, i, kind);
+        const auto all = front_of(scene, i, kind);
         return std::ranges::find(all, r) == all.end() ? "0" : "1";
     };
     return {scene.id,
@@ -293,24 +320,33 @@ tl::expected<CostReport, std::string> parse_cost(std::string_view text,
                             form_version));
         const auto& wish = json.at("wish");
         const auto kind = error_kind(wish.at("error").get<std::string>());
-        CostReport report{.program = json.at("program"),
-                          .renderer = json.at("renderer"),
-                          .written_on = json.at("written_on"),
-                          .subject = json.at("subject"),
-                          .law = json.at("law"),
-                          .timed_by = json.at("timed_by"),
-                          .rounds = json.at("rounds"),
-                          .held_out_lights = json.at("held_out_lights"),
-                          .wish = {kind.value_or(ErrorKind::Law), find<double>(wish, "tolerance"),
-                                   find<double>(wish, "budget_ms")},
-                          .scenes = {}};
+        if (!kind)
+            throw Misfit(
+                fmt::format("wish.error is {}, expected thickness, law, reference or fitted",
+                            wish.at("error").dump()));
+        CostReport report{
+            .program = json.at("program"),
+            .renderer = json.at("renderer"),
+            .written_on = json.at("written_on"),
+            .subject = json.at("subject"),
+            .law = json.at("law"),
+            .timed_by = json.at("timed_by"),
+            .rounds = count<int>(json, "rounds"),
+            .held_out_lights = count<int>(json, "held_out_lights"),
+            .wish = {*kind, find<double>(wish, "tolerance"), find<double>(wish, "budget_ms")},
+            .scenes = {}};
         for (const auto& scene : json.at("scenes"))
             report.scenes.push_back(scene_cost(scene));
         if (const auto wrong = wrong_places(report); !wrong.empty())
             return tl::unexpected(fmt::format("{}: {}", file_name, wrong));
         return report;
+    } catch (const Misfit& misfit) {
+        return tl::unexpected(
+            fmt::format("{}: {}; run `pairlight cost` again", file_name, misfit.what()));
     } catch (const Json::exception& error) {
-        return tl::unexpected(fmt::format("{}: not a cost report: {}", file_name, error.what()));
+        return tl::unexpected(fmt::format("{}: not a cost report: {}; remove it, or run `pairlight "
+                                          "cost` again",
+                                          file_name, error.what()));
     }
 }
 

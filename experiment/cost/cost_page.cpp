@@ -245,9 +245,17 @@ std::string cost_text(const CostReport& report) {
 }
 
 tl::expected<fs::path, std::string> write_cost(const fs::path& folder, const CostReport& report) {
+    // What was measured is safe before anything is drawn of it.
+    for (const auto& [name, bytes] :
+         {std::pair{"cost.json", cost_json(report)}, std::pair{"cost.csv", cost_csv(report)}})
+        if (auto written = write_text_file(folder / name, bytes); !written)
+            return tl::unexpected(written.error());
     const auto figures = draw_cost_figures(report);
     if (!figures)
-        return tl::unexpected(figures.error());
+        return tl::unexpected(fmt::format(
+            "{}; the measurements are in {}: when that is mended, `pairlight cost` draws them "
+            "again with --from",
+            figures.error(), (folder / "cost.json").string()));
     const report::ReportContents nobody_voted;
     report::Body body(nobody_voted);
     body.add(fmt::format("<h1>{}</h1>\n<p class=\"facts\">{} \u00b7 {}</p>\n",
@@ -255,8 +263,6 @@ tl::expected<fs::path, std::string> write_cost(const fs::path& folder, const Cos
                          escaped(report.program)));
     add_cost(body, report, *figures);
     std::vector<std::pair<fs::path, std::string>> files{
-        {"cost.csv", cost_csv(report)},
-        {"cost.json", cost_json(report)},
         {"cost.html", report::filled(report::page_html, {{"style", std::string(report::page_css)},
                                                          {"program", escaped(report.program)},
                                                          {"window_title", escaped(report.subject)},

@@ -25,20 +25,6 @@ std::optional<ErrorKind> error_kind(std::string_view name) {
     return found == all_errors.end() ? std::nullopt : std::optional(*found);
 }
 
-std::string_view words_for(ErrorKind kind) {
-    switch (kind) {
-    case ErrorKind::Thickness:
-        return "thickness against traced thickness, other lights";
-    case ErrorKind::Law:
-        return "picture against the same law with traced thickness";
-    case ErrorKind::Reference:
-        return "picture against the path-traced one, equal brightness";
-    case ErrorKind::Fitted:
-        return "picture against the path-traced one, fitted coefficients";
-    }
-    return "";
-}
-
 double error_of(const Row& row, std::size_t light, ErrorKind kind) {
     const auto& errors = row.lights.at(light);
     const auto error = kind == ErrorKind::Thickness   ? row.thickness

@@ -29,9 +29,6 @@ inline constexpr std::array all_errors{ErrorKind::Thickness, ErrorKind::Law, Err
 std::string_view name_of(ErrorKind kind);
 std::optional<ErrorKind> error_kind(std::string_view name);
 
-/// As a sentence has it: "picture against the same law with traced thickness".
-std::string_view words_for(ErrorKind kind);
-
 /// One setting under one light.  What was not measured, or means nothing there, is absent.
 struct LightErrors {
     std::optional<double> law, reference, fitted;

@@ -183,7 +183,9 @@ Expected<PreparedMesh> prepare(Mesh mesh, std::string_view name, const RepairOpt
             "{}: the surface is not closed and consistently oriented, so it has no inside "
             "to measure: {}; mend it in a mesh editor{}, or choose a closed model",
             name, describe_openings(report),
-            may_gape ? ", take what it winds around for its inside (holes = \"winding\")" : ""));
+            may_gape ? ", take what it winds around for its inside (holes = \"winding\" in its "
+                       "[[scene]], or --holes winding)"
+                     : ""));
     const double volume = enclosed_volume(prepared.mesh);
     if (!(volume > 0))
         return tl::unexpected(fmt::format(

@@ -78,6 +78,12 @@ TEST(SessionTables, RefuseToPractiseWhatIsNeverCompared) {
                 HasSubstr("'z' in easy_pair or hard_pair"));
 }
 
+TEST(SessionTables, RefuseADeadlineBeforeAnswersCount) {
+    EXPECT_THAT(parsed("[session]\nclosed_ms = 5000\ndeadline_s = 5\n").error(),
+                HasSubstr("over before an answer counts (closed_ms = 5000)"));
+    EXPECT_TRUE(parsed("[session]\nclosed_ms = 5000\ndeadline_s = 6\n"));
+}
+
 TEST(Scenes, OfOwnImagesMayHaveSizesOfTheirOwn) {
     const std::string scene = "[[scene]]\nid = \"b\"\n";
     const auto study = parsed(scene + "width = 300\nheight = 100\n");

@@ -38,6 +38,29 @@ TEST(CostJson, SaysWhatIsWrongWithAFile) {
     EXPECT_EQ(parse_cost(text, "c.json").error(), "c.json: a choice names a row that is not there");
 }
 
+TEST(CostJson, RefusesNumbersThatNothingMeasures) {
+    const auto text = cost_json(with_choice());
+    const auto complaint = [&](const std::string& there, const std::string& instead) {
+        auto damaged = text;
+        const auto place = damaged.find(there);
+        EXPECT_NE(place, std::string::npos) << there;
+        damaged.replace(place, there.size(), instead);
+        const auto report = parse_cost(damaged, "c.json");
+        return report ? "" : report.error();
+    };
+    EXPECT_EQ(
+        complaint("\"bytes_per_vertex\": 100", "\"bytes_per_vertex\": -5"),
+        "c.json: bytes_per_vertex is -5, expected a whole number from 0; run `pairlight cost` "
+        "again");
+    EXPECT_THAT(complaint("\"bytes_per_vertex\": 100", "\"bytes_per_vertex\": 1.7"),
+                HasSubstr("bytes_per_vertex is 1.7"));
+    EXPECT_THAT(complaint("\"law\": 0.2", "\"law\": -0.5"), HasSubstr("law is -0.5"));
+    EXPECT_THAT(complaint("\"law\": 0.2", "\"law\": 1e308"), HasSubstr("law is 1e+308"));
+    EXPECT_THAT(complaint("\"lower\": 5", "\"lower\": 9995"), HasSubstr("lower <= median"));
+    EXPECT_THAT(complaint("\"error\": \"law\"", "\"error\": \"bogus\""),
+                HasSubstr("wish.error is \"bogus\""));
+}
+
 TEST(CostCsv, HasARowForEveryLightAndSettingAndNothingForWhatIsNotKnown) {
     const auto text = cost_csv(with_choice());
     EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 2 * 4);
