@@ -240,7 +240,7 @@ std::string figure_script(const std::vector<Line>& lines,
                               report::gnuplot_string(model + ", paper's law"), plots);
     }
     script +=
-        "unset logscale\nset xrange [0.5:8.5]\nset yrange [0:*]\nset key top left\nset xlabel "
+        "unset logscale\nset xrange [0.5:8.5]\nset yrange [0:*]\nset key right bottom\nset xlabel "
         "'lights' font ',11'\nset ylabel 'ms of processor time a frame' font ',11'\nset "
         "title 'lights'\n";
     std::string plots;
