@@ -1,3 +1,4 @@
+// Two names are twins when they are equal without the blanks around them.
 #include "analysis/twin_names.h"
 
 #include <fmt/format.h>

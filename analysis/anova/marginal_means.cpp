@@ -1,3 +1,4 @@
+// Sums in long double: what cancels between groups leaves a double its digits.
 #include "analysis/anova/marginal_means.h"
 
 #include "analysis/anova/box.h"
@@ -14,6 +15,13 @@ namespace analysis::anova {
 namespace {
 
 using Real = long double;
+
+/// A sum of squares, or none where it is what rounding leaves of `n` equal values, the largest of
+/// which is `largest`.
+Real without_rounding(Real squares, Real largest, std::size_t n) {
+    const Real rounding = largest * static_cast<Real>(n) * std::numeric_limits<Real>::epsilon();
+    return squares <= rounding * rounding ? 0 : squares;
+}
 
 std::string why_no_pairs(std::size_t levels) {
     return levels > most_levels_in_pairs
@@ -154,10 +162,7 @@ class WithinPairs {
             sizes += 1 / n;
         }
         const auto n = static_cast<Real>(values.size());
-        // What rounding leaves of equal values is no spread.
-        const Real rounding = largest * n * std::numeric_limits<Real>::epsilon();
-        if (squares <= rounding * rounding)
-            squares = 0;
+        squares = without_rounding(squares, largest, values.size());
         return {mean, std::sqrt(squares / (n - groups) * sizes) / groups};
     }
 
@@ -223,9 +228,7 @@ std::vector<MarginalMeans> marginal_means_between(const RepeatedDesign& design,
     Real largest = 0;
     for (const auto value : values)
         largest = std::max(largest, std::abs(value));
-    const Real rounding =
-        largest * static_cast<Real>(values.size()) * std::numeric_limits<Real>::epsilon();
-    const Variation error{squares <= rounding * rounding ? 0 : static_cast<double>(squares),
+    const Variation error{static_cast<double>(without_rounding(squares, largest, values.size())),
                           static_cast<double>(observers - groups.size())};
     auto found = marginal_means(design.between, groups, means, error, level);
     for (auto& factor : found)

@@ -1,3 +1,4 @@
+// What is undefined is null, with its reason beside it.
 #include "analysis/anova/rows_json.h"
 
 #include <nlohmann/json.hpp>

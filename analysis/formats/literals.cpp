@@ -1,3 +1,4 @@
+// Reads by descent, keeps the line of every value, and runs nothing.
 #include "analysis/formats/literals.h"
 
 #include <fmt/format.h>

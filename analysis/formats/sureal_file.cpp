@@ -1,3 +1,4 @@
+// Both entries of a pair may tell of it; they have to agree.
 #include "analysis/formats/sureal_file.h"
 
 #include "analysis/formats/literals.h"

@@ -1,3 +1,4 @@
+// Simulated votes are marked in every row.
 #include "analysis/formats/vote_writers.h"
 
 #include "analysis/csv.h"

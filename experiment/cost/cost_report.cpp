@@ -1,3 +1,4 @@
+// What was not measured reads as NaN, which is on no front and is never chosen.
 #include "experiment/cost/cost_report.h"
 
 #include <algorithm>

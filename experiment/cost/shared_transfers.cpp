@@ -1,3 +1,4 @@
+// Computed for whoever asks first; what it took is kept, to charge the others with.
 #include "experiment/cost/shared_transfers.h"
 
 #include <algorithm>

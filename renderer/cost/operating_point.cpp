@@ -1,3 +1,4 @@
+// Times that one run cannot tell apart do not choose.
 #include "renderer/cost/operating_point.h"
 
 #include <algorithm>

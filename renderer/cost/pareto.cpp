@@ -1,3 +1,4 @@
+// Along growing cost, whatever has the least error so far is on the front.
 #include "renderer/cost/pareto.h"
 
 #include <algorithm>

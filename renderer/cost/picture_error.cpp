@@ -1,3 +1,4 @@
+// The clearest channel tells the most of a thickness.
 #include "renderer/cost/picture_error.h"
 
 #include "renderer/contract.h"

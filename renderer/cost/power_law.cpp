@@ -1,3 +1,4 @@
+// Least squares on logarithms, about their means.
 #include "renderer/cost/power_law.h"
 
 #include "renderer/contract.h"

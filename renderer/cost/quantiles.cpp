@@ -1,3 +1,4 @@
+// Between order statistics by proportion.
 #include "renderer/cost/quantiles.h"
 
 #include "renderer/contract.h"

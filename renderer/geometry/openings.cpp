@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -22,17 +23,17 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Passages that no passage the other way makes up for, as the surface runs through them.
 std::vector<Edge> rim_edges(const Mesh& mesh) {
-    std::map<Edge, int> balance; // of passages from the smaller to the larger index
+    std::vector<Edge> passages, opposite, rim;
     for (const auto& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto from = t[k], to = t[(k + 1) % 3];
-            if (from != to)
-                balance[std::minmax(from, to)] += from < to ? 1 : -1;
-        }
-    std::vector<Edge> rim;
-    for (const auto& [edge, count] : balance)
-        for (int i = 0; i < std::abs(count); ++i)
-            rim.push_back(count > 0 ? edge : Edge(edge.second, edge.first));
+        for (std::size_t k = 0; k < 3; ++k)
+            if (const auto from = t[k], to = t[(k + 1) % 3]; from != to) {
+                passages.emplace_back(from, to);
+                opposite.emplace_back(to, from);
+            }
+    std::sort(passages.begin(), passages.end());
+    std::sort(opposite.begin(), opposite.end());
+    std::set_difference(passages.begin(), passages.end(), opposite.begin(), opposite.end(),
+                        std::back_inserter(rim));
     return rim;
 }
 

@@ -1,3 +1,4 @@
+// Of two pictures, the channel that differs most.
 #include "renderer/methods/choice_change.h"
 
 #include "renderer/imaging/brightness.h"

@@ -1,3 +1,4 @@
+// One list of words for every method that has the dial.
 #include "renderer/methods/thickness_dial.h"
 
 namespace renderer::methods {

@@ -6,9 +6,10 @@
 namespace renderer::thickness {
 
 Expected<std::shared_ptr<const Solid>> Solid::of(const geometry::Mesh& mesh) {
-    if (auto is_solid = check_solid(mesh); !is_solid)
-        return tl::unexpected(is_solid.error());
-    auto solid = std::make_shared<const Solid>(geometry::cover_openings(mesh));
+    const auto covered = covered_solid(mesh);
+    if (!covered)
+        return tl::unexpected(covered.error());
+    auto solid = std::make_shared<const Solid>(*covered);
     if (auto outward = check_components_face_outward(solid->scene()); !outward)
         return tl::unexpected(outward.error());
     return solid;

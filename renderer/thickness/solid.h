@@ -22,6 +22,8 @@ class Solid {
     static Expected<std::shared_ptr<const Solid>> of(const geometry::Mesh& mesh);
 
     explicit Solid(const geometry::CoveredMesh& covered);
+    Solid(const Solid&) = delete; // `interior_` looks at this one's scene
+    Solid& operator=(const Solid&) = delete;
 
     /// With the covers of openings, if there are any.
     const geometry::RayScene& scene() const { return scene_; }
@@ -35,7 +37,7 @@ class Solid {
   private:
     geometry::RayScene scene_;
     std::size_t vertices_;
-    std::optional<geometry::OpenInterior> interior_; // looks at the scene
+    std::optional<geometry::OpenInterior> interior_;
 };
 
 } // namespace renderer::thickness

@@ -1,3 +1,4 @@
+// Every so many vertices; each stands for its own share of the surface.
 #include "renderer/thickness/surface_sample.h"
 
 #include "renderer/contract.h"

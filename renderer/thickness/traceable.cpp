@@ -3,7 +3,6 @@
 
 #include "renderer/contract.h"
 #include "renderer/geometry/mesh_report.h"
-#include "renderer/geometry/openings.h"
 #include "renderer/geometry/winding.h"
 
 #include <fmt/format.h>
@@ -54,7 +53,7 @@ std::vector<std::uint32_t> component_of_vertices(const RayScene& scene) {
 
 } // namespace
 
-Expected<void> check_solid(const geometry::Mesh& mesh) {
+Expected<geometry::CoveredMesh> covered_solid(const geometry::Mesh& mesh) {
     if (mesh.triangles.empty())
         return tl::unexpected<std::string>("the mesh has no triangles, expected a closed surface");
     for (const auto& triangle : mesh.triangles)
@@ -66,12 +65,13 @@ Expected<void> check_solid(const geometry::Mesh& mesh) {
         return tl::unexpected(
             "the mesh is not consistently oriented: " + describe_openings(report) +
             "; expected neighbours that face the same way");
-    const double volume = geometry::signed_volume(geometry::cover_openings(mesh).mesh);
+    auto covered = geometry::cover_openings(mesh);
+    const double volume = geometry::signed_volume(covered.mesh);
     if (!(volume > 0))
         return tl::unexpected(fmt::format("the mesh encloses a volume of {:.6g}, expected a "
                                           "positive one (do its triangles face inward?)",
                                           volume));
-    return {};
+    return covered;
 }
 
 Expected<void> check_components_face_outward(const geometry::RayScene& scene) {

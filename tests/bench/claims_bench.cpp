@@ -261,7 +261,7 @@ std::string figure_script(const std::vector<Line>& lines,
 void run(const std::string& figure, const std::vector<std::string>& models) {
     std::vector<geometry::Mesh> meshes;
     for (const auto& model : models)
-        meshes.push_back(load_mesh(model));
+        meshes.push_back(load_drawn_mesh(model));
     std::vector<Line> lines;
     fmt::print(
         "{}\n\n| model | law | light | 1 band | 2 | 3 | 4 | 5 | 6 |\n|---|---|---|---|---|---|"

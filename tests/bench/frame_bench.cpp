@@ -68,7 +68,9 @@ Options options_of(int argc, char** argv) {
             options.models.push_back(words[i]);
     }
     if (options.models.empty())
-        throw std::runtime_error("frame_bench [--rounds N] [--law paper|physical] MODEL...");
+        throw std::runtime_error(
+            "frame_bench [--rounds N] [--width W --height H] [--law paper|physical] "
+            "[--only METHOD]... MODEL...");
     return options;
 }
 
@@ -147,7 +149,7 @@ Median geometric_mean(const std::vector<Median>& medians) {
 }
 
 std::map<std::string, Ratios> measure(const std::string& name, const Options& options) {
-    const auto mesh = load_mesh(name);
+    const auto mesh = load_drawn_mesh(name);
     const auto target = value_or_throw(gpu::Target::create(options.width, options.height));
     const auto variants = variants_for(mesh, options);
     std::vector<cost::Turn> turns;

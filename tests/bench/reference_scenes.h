@@ -4,15 +4,13 @@
 
 #include "renderer/camera.h"
 #include "renderer/geometry/bodies.h"
-#include "renderer/geometry/mesh_repair.h"
-#include "renderer/geometry/model_library.h"
 #include "renderer/materials.h"
 #include "renderer/reference/mesh_body.h"
 #include "renderer/reference/path_tracer.h"
+#include "tests/bench/models.h"
 
 #include <glm/geometric.hpp>
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,20 +20,6 @@ struct NamedPicture {
     std::string name;
     renderer::reference::Picture picture;
 };
-
-template <class T>
-T value_or_throw(renderer::Expected<T> result) {
-    if (!result)
-        throw std::runtime_error(result.error());
-    return std::move(*result);
-}
-
-/// A model by its name in the working directory or on a path, or a body.
-inline renderer::geometry::Mesh load_mesh(const std::string& name) {
-    using namespace renderer::geometry;
-    const auto model = value_or_throw(find_model(name, {".", {"."}}));
-    return value_or_throw(prepare(value_or_throw(load_model(model)), name)).mesh;
-}
 
 inline renderer::reference::Illumination sun_toward(glm::dvec3 to_light) {
     return {.suns = {{glm::normalize(to_light), {1, 1, 1}}}};

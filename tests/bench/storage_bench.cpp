@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
                    "largest, code "
                    "values |\n|---|---|---|---|---|---|---|\n");
         for (int i = 1; i < argc; ++i) {
-            const auto mesh = load_mesh(argv[i]);
+            const auto mesh = load_drawn_mesh(argv[i]);
             const Workbench workbench(mesh, scene_of(mesh, size, size));
             for (const auto& matter : matters)
                 measure(argv[i], mesh, workbench, matter);

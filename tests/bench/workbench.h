@@ -2,33 +2,23 @@
 #pragma once
 
 #include "renderer/camera.h"
-#include "renderer/geometry/mesh_repair.h"
-#include "renderer/geometry/model_library.h"
 #include "renderer/geometry/morton_order.h"
 #include "renderer/materials.h"
 #include "renderer/methods/catalogue.h"
+#include "tests/bench/models.h"
 
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 namespace bench {
 
 using namespace renderer;
 
-template <class T>
-T value_or_throw(Expected<T> result) {
-    if (!result)
-        throw std::runtime_error(result.error());
-    return std::move(*result);
-}
-
-inline geometry::Mesh load_mesh(const std::string& name) {
-    const auto model = value_or_throw(geometry::find_model(name, {".", {"."}}));
-    return geometry::along_morton_curve(
-        value_or_throw(geometry::prepare(value_or_throw(geometry::load_model(model)), name)).mesh);
+/// In the order that methods draw in.
+inline geometry::Mesh load_drawn_mesh(const std::string& name) {
+    return geometry::along_morton_curve(load_mesh(name));
 }
 
 /// Marble, lit from behind.
