@@ -25,9 +25,16 @@ namespace {
     _exit(127);
 }
 
+/// A number that no other test has.  Whoever lets servers look for a free one gets that of a server
+/// just ending, which then takes the new one's socket away with its own.
+int own_display() {
+    return 1000 + getpid() % 50000;
+}
+
 } // namespace
 
 VirtualScreen::VirtualScreen(int width, int height) {
+    const auto display = fmt::format(":{}", own_display());
     int ends[2];
     if (pipe(ends) != 0)
         throw std::runtime_error("no pipe");
@@ -36,7 +43,7 @@ VirtualScreen::VirtualScreen(int width, int height) {
         close(ends[0]);
         const int silence = open("/dev/null", O_WRONLY);
         dup2(silence, STDERR_FILENO);
-        become({"Xvfb", "-displayfd", fmt::format("{}", ends[1]), "-screen", "0",
+        become({"Xvfb", display, "-displayfd", fmt::format("{}", ends[1]), "-screen", "0",
                 fmt::format("{}x{}x24", width, height), "-nolisten", "tcp"});
     }
     close(ends[1]);
@@ -46,7 +53,7 @@ VirtualScreen::VirtualScreen(int width, int height) {
     close(ends[0]);
     if (number.empty())
         throw std::runtime_error("Xvfb did not start; tools/install-dependencies brings it");
-    setenv("DISPLAY", (":" + number).c_str(), 1);
+    setenv("DISPLAY", display.c_str(), 1);
 }
 
 VirtualScreen::~VirtualScreen() {
