@@ -54,11 +54,20 @@ RayStatistics& RayStatistics::operator+=(const RayStatistics& other) {
 
 std::span<const Segment> InteriorTracer::from_vertex(std::uint32_t vertex, glm::dvec3 direction) {
     EXPECTS(vertex < scene_->positions().size());
-    return trace({scene_->positions()[vertex], vertex}, direction);
+    return trace({scene_->positions()[vertex], vertex, Side::Unknown}, direction);
 }
 
-std::span<const Segment> InteriorTracer::from_point(glm::dvec3 point, glm::dvec3 direction) {
-    return trace({glm::vec3(scene_->scene_from_model(point)), std::nullopt}, direction);
+std::span<const Segment>
+InteriorTracer::from_point(glm::dvec3 point, glm::dvec3 direction, Side side) {
+    return trace({glm::vec3(scene_->scene_from_model(point)), std::nullopt, side}, direction);
+}
+
+std::uint32_t InteriorTracer::triangle_at(double distance) const {
+    EXPECTS(!hits_.empty());
+    const auto at = static_cast<float>(distance / scene_->model_per_scene());
+    return std::ranges::min_element(hits_, {},
+                                    [&](const Hit& hit) { return std::abs(hit.distance - at); })
+        ->triangle;
 }
 
 void InteriorTracer::follow_bundle(std::span<const std::uint32_t> vertices, glm::dvec3 direction) {
@@ -80,9 +89,9 @@ InteriorTracer::from_bundle(std::size_t i, std::uint32_t vertex, glm::dvec3 dire
         return {}; // as for every second ray
     doubtful_.clear();
     hits_.swap(bundle_[i]);
-    const Origin origin{scene_->positions()[vertex], vertex};
+    const Origin origin{scene_->positions()[vertex], vertex, Side::Unknown};
     order_hits(origin);
-    return resolve_hits() ? finished(origin, direction) : trace_again(origin, direction);
+    return resolve_hits(origin.side) ? finished(origin, direction) : trace_again(origin, direction);
 }
 
 std::span<const Segment> InteriorTracer::trace(const Origin& origin, glm::dvec3 direction) {
@@ -128,15 +137,15 @@ std::span<const Segment> InteriorTracer::in_model_units() {
 /// Fills `segments_`, in scene units and farthest first; false when the answer is in doubt.
 bool InteriorTracer::resolve(const Origin& origin, glm::dvec3 direction) {
     collect(origin, direction);
-    return resolve_hits();
+    return resolve_hits(origin.side);
 }
 
-bool InteriorTracer::resolve_hits() {
+bool InteriorTracer::resolve_hits(Side side) {
     if (!merge()) {
         doubtful_.clear();
         return false;
     }
-    return walk() || is_confirmed();
+    return walk(side) || is_confirmed();
 }
 
 /// Whether the neighbour that was in doubt met the surface in the same senses one after the other.
@@ -174,10 +183,13 @@ void InteriorTracer::order_hits(const Origin& origin) {
 }
 
 /// A ray through an edge or a vertex meets several triangles in one place: one crossing, if they
-/// agree about its sense.  False when they do not: then the ray grazes, and neither count is sure.
+/// agree about its sense.  False when they do not, or when the ray grazes: then neither count is
+/// sure.
 bool InteriorTracer::merge() {
     std::size_t kept = 0;
     for (const Hit& hit : hits_) {
+        if (hit.grazing)
+            return false;
         bool is_new = true;
         for (std::size_t i = kept; i-- > 0 && is_same_place(hits_[i].distance, hit.distance);)
             if (share_a_corner(hits_[i].triangle, hit.triangle)) {
@@ -193,16 +205,16 @@ bool InteriorTracer::merge() {
 }
 
 /// Fills `segments_`; true when the count is one that a single body gives: at every place and in
-/// the end none or one, more only in between.
-bool InteriorTracer::walk() {
+/// the end none or one, more only in between.  In the end it is what is known about the origin.
+bool InteriorTracer::walk(Side side) {
     segments_.clear();
     bool is_ordinary = true;
     int enclosing = 0;
     float end = 0;
     for (std::size_t i = 0; i < hits_.size(); ++i) {
-        const auto& [distance, triangle, leaving] = hits_[i];
+        const float distance = hits_[i].distance;
         const bool was_inside = enclosing >= 1;
-        enclosing += leaving ? 1 : -1;
+        enclosing += hits_[i].leaving ? 1 : -1;
         const bool is_inside = enclosing >= 1;
         const float next = i + 1 < hits_.size() ? hits_[i + 1].distance : 0;
         if (enclosing < 0 && distance - next > shortest_gap)
@@ -214,7 +226,8 @@ bool InteriorTracer::walk() {
     }
     if (enclosing >= 1)
         segments_.push_back({0, end});
-    return is_ordinary && (enclosing == 0 || enclosing == 1);
+    return is_ordinary &&
+           ((enclosing == 0 && side != Side::Inside) || (enclosing == 1 && side != Side::Outside));
 }
 
 /// The last resort: each gap between crossings is inside when the surface winds around its middle.

@@ -10,6 +10,7 @@
 
 #include "renderer/geometry/openings.h"
 #include "renderer/geometry/ray_scene.h"
+#include "renderer/geometry/side.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -64,8 +65,16 @@ class InteriorTracer {
         }
     }
 
-    /// The same from any point, in model coordinates, inside or outside.
-    std::span<const Segment> from_point(glm::dvec3 point, glm::dvec3 direction);
+    /// The same from any point, in model coordinates, inside or outside.  What the caller knows
+    /// about the point is one more check: a ray that grazes an edge may meet one of its triangles
+    /// and not the other, and the count is wrong without looking odd.  The surface has the last
+    /// word, where rays beside each other agree that the caller is wrong.
+    std::span<const Segment>
+    from_point(glm::dvec3 point, glm::dvec3 direction, Side side = Side::Unknown);
+
+    /// The triangle of the crossing at `distance`, model units, where a segment of the last answer
+    /// begins or ends.
+    std::uint32_t triangle_at(double distance) const;
 
     const RayStatistics& statistics() const { return statistics_; }
 
@@ -73,6 +82,7 @@ class InteriorTracer {
     struct Origin {
         glm::vec3 position; // scene coordinates
         std::optional<std::uint32_t> vertex;
+        Side side = Side::Unknown;
     };
 
     void follow_bundle(std::span<const std::uint32_t> vertices, glm::dvec3 direction);
@@ -82,11 +92,11 @@ class InteriorTracer {
     std::span<const Segment> finished(const Origin& origin, glm::dvec3 direction);
     std::span<const Segment> in_model_units();
     bool resolve(const Origin& origin, glm::dvec3 direction);
-    bool resolve_hits();
+    bool resolve_hits(Side side);
     void collect(const Origin& origin, glm::dvec3 direction);
     void order_hits(const Origin& origin);
     bool merge();
-    bool walk();
+    bool walk(Side side);
     bool is_confirmed();
     void classify_gaps(const Origin& origin, glm::dvec3 direction);
     bool share_a_corner(std::uint32_t a, std::uint32_t b) const;

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +19,7 @@ struct Hit {
     float distance = 0;         ///< from the ray's origin, scene units
     std::uint32_t triangle = 0; ///< index into the mesh's triangles
     bool leaving = false;       ///< the ray crosses from the inner to the outer side
+    bool grazing = false;       ///< along the triangle, but for rounding: its place is not known
 };
 
 /// While it lives, denormal numbers are zero on this thread.  Embree asks every tracing thread for
@@ -71,10 +71,6 @@ class RayScene {
 
     /// Whether the ray meets a triangle between the two distances.
     bool meets(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) const;
-
-    /// The nearest triangle the ray meets between the two distances.
-    std::optional<Hit>
-    first_hit(glm::vec3 origin, glm::vec3 direction, float nearest, float farthest) const;
 
     std::span<const Triangle> triangles() const { return triangles_; }
 

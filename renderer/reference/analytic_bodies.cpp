@@ -21,7 +21,9 @@ constexpr double touching = 1e-10;
 /// For bodies that a ray is inside of once at most.
 class ConvexTracer : public BodyTracer {
   public:
-    std::span<const Stretch> along(glm::dvec3 point, glm::dvec3 direction) final {
+    std::span<const Stretch> along(glm::dvec3 point, glm::dvec3 direction, Side) final {
+        point_ = point;
+        direction_ = direction;
         const auto [begin, end] = meet(point, direction);
         stretch_ = {begin < touching ? 0.0 : begin, end};
         const bool leaves_at_once = end < touching;
@@ -33,23 +35,23 @@ class ConvexTracer : public BodyTracer {
         return begin < touching && length < end;
     }
 
+    glm::dvec3 normal(double distance) final { return normal_at(point_ + distance * direction_); }
+
   protected:
     /// Where the line is inside; begin > end when nowhere.
     virtual Stretch meet(glm::dvec3 point, glm::dvec3 direction) const = 0;
 
+    /// Outward, at a point of the surface.
+    virtual glm::dvec3 normal_at(glm::dvec3 point) const = 0;
+
   private:
+    glm::dvec3 point_{}, direction_{}; // of the last question
     Stretch stretch_;
 };
 
 class SlabTracer final : public ConvexTracer {
   public:
     explicit SlabTracer(double thickness) : thickness_(thickness) {}
-
-    std::optional<glm::dvec3>
-    normal(glm::dvec3 point, glm::dvec3 direction, double distance) override {
-        const double z = point.z + distance * direction.z;
-        return glm::dvec3(0, 0, 2 * z > -thickness_ ? 1 : -1);
-    }
 
     double clearance(glm::dvec3 point) override {
         return std::max(0.0, std::min(-point.z, thickness_ + point.z));
@@ -65,6 +67,10 @@ class SlabTracer final : public ConvexTracer {
         return {std::min(top, bottom), std::max(top, bottom)};
     }
 
+    glm::dvec3 normal_at(glm::dvec3 point) const override {
+        return {0, 0, 2 * point.z > -thickness_ ? 1 : -1};
+    }
+
   private:
     double thickness_;
 };
@@ -72,11 +78,6 @@ class SlabTracer final : public ConvexTracer {
 class SphereTracer final : public ConvexTracer {
   public:
     explicit SphereTracer(double radius) : radius_(radius) {}
-
-    std::optional<glm::dvec3>
-    normal(glm::dvec3 point, glm::dvec3 direction, double distance) override {
-        return glm::normalize(point + distance * direction);
-    }
 
     double clearance(glm::dvec3 point) override {
         return std::max(0.0, radius_ - glm::length(point));
@@ -92,6 +93,8 @@ class SphereTracer final : public ConvexTracer {
         const double half = std::sqrt(square);
         return {-b - half, -b + half};
     }
+
+    glm::dvec3 normal_at(glm::dvec3 point) const override { return glm::normalize(point); }
 
   private:
     double radius_;
@@ -118,7 +121,7 @@ std::shared_ptr<const SunwardDepth> Body::sunward_depth(glm::dvec3) const {
 
 double interior_length(BodyTracer& tracer, glm::dvec3 point, glm::dvec3 direction) {
     double length = 0;
-    for (const auto& [begin, end] : tracer.along(point, direction))
+    for (const auto& [begin, end] : tracer.along(point, direction, Side::Unknown))
         length += end - begin;
     return length;
 }

@@ -1,15 +1,18 @@
 // What a walk asks of the body it is in: where a ray is inside, and which way the surface faces.
 #pragma once
 
+#include "renderer/geometry/side.h"
+
 #include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <span>
 
 namespace renderer::reference {
+
+using geometry::Side;
 
 /// A stretch of a ray inside the material: distances from the origin, begin < end, which may be
 /// infinite.
@@ -25,15 +28,17 @@ class BodyTracer {
     virtual ~BodyTracer() = default;
 
     /// Every stretch inside the material ahead, nearest first.  Valid until the next question.
-    virtual std::span<const Stretch> along(glm::dvec3 point, glm::dvec3 direction) = 0;
+    /// `side` is where the asker has come to; the answer starts on the other one only where the
+    /// surface says so.
+    virtual std::span<const Stretch> along(glm::dvec3 point, glm::dvec3 direction, Side side) = 0;
 
     /// Whether the next `length` of the ray surely do not meet the surface; false says nothing.
     virtual bool is_clear(glm::dvec3 point, glm::dvec3 direction, double length) = 0;
 
-    /// The unit outward normal where the ray meets the surface at `distance`, which `along` gave.
-    /// Nothing when it cannot be found again (a leak).
-    virtual std::optional<glm::dvec3>
-    normal(glm::dvec3 point, glm::dvec3 direction, double distance) = 0;
+    /// The unit outward normal at `distance` on the ray that `along` was asked about last, where
+    /// one of its stretches begins or ends: on that ray's side when it begins, on the other when it
+    /// ends.
+    virtual glm::dvec3 normal(double distance) = 0;
 
     /// No less than 0 and no more than the distance of `point`, inside, from the surface.
     virtual double clearance(glm::dvec3 point) = 0;

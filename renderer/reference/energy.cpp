@@ -226,7 +226,7 @@ Start line_start(glm::dvec3 centre, double radius) {
         Path<1> path;
         path.direction = around({0, 0, 1}, 1 - 2 * u, v);
         path.position = centre - 2 * radius * path.direction + r * around(path.direction, 0, turn);
-        if (tracer.along(path.position, path.direction).empty())
+        if (tracer.along(path.position, path.direction, Side::Outside).empty())
             return std::nullopt;
         return path;
     };

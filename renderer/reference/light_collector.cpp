@@ -136,7 +136,7 @@ template <std::size_t N>
 void LightCollector<N>::collect_scattered(const Path<N>& path,
                                           const Connection& to,
                                           double asking) {
-    const auto length = length_inside(path.position, to);
+    const auto length = length_inside(path.position, Side::Inside, to);
     if (!length)
         return;
     const double turned =
@@ -157,7 +157,7 @@ void LightCollector<N>::collect_reflected(const Path<N>& path,
     if (glm::dot(to.direction, outward) <= 0)
         return;
     const double value = rough_value(surface, -path.direction, to.direction);
-    if (value <= 0 || length_inside(from, to).value_or(1) > 0)
+    if (value <= 0 || length_inside(from, Side::Outside, to).value_or(1) > 0)
         return;
     Spectrum<N> weight = path.weight;
     for (auto& w : weight)
@@ -168,9 +168,10 @@ void LightCollector<N>::collect_reflected(const Path<N>& path,
 
 /// The length inside on the way; nothing when it has no end.
 template <std::size_t N>
-std::optional<double> LightCollector<N>::length_inside(glm::dvec3 from, const Connection& to) {
+std::optional<double>
+LightCollector<N>::length_inside(glm::dvec3 from, Side side, const Connection& to) {
     double length = 0;
-    for (const auto& [begin, end] : tracer_.along(from, to.direction))
+    for (const auto& [begin, end] : tracer_.along(from, to.direction, side))
         if (begin < to.distance)
             length += std::min(end, to.distance) - begin;
     return std::isinf(length) ? std::nullopt : std::optional(length);

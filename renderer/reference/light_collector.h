@@ -64,7 +64,7 @@ class LightCollector final : public WalkEvents<N> {
     std::optional<Connection> to_lamp(const Lamp& lamp, glm::dvec3 from) const;
     void collect_scattered(const Path<N>& path, const Connection& to, double asking);
     void collect_reflected(const Path<N>& path, const RoughSurface& surface, const Connection& to);
-    std::optional<double> length_inside(glm::dvec3 from, const Connection& to);
+    std::optional<double> length_inside(glm::dvec3 from, Side side, const Connection& to);
     void collect(const Spectrum<N>& weight, const Spectrum<3>& light, double share);
 
     const Medium& medium_;

@@ -26,23 +26,20 @@ constexpr float nearest = 1e-6f;
 // Of the bounding sphere's radius, and a hair.
 constexpr float bounding_square = 0.25001f;
 
-// Where `along` found a crossing, a second ray finds it again within its rounding, or that of a
-// ray jittered by 1e-5.
-constexpr float slack = 2e-5f;
-
 class MeshTracer final : public BodyTracer {
   public:
     MeshTracer(const geometry::RayScene& scene, const Clearance& clearance)
         : scene_(scene), clearance_(clearance), tracer_(scene) {}
 
     /// Who looks whether a ray meets the body and then follows it asks twice: traced once.
-    std::span<const Stretch> along(glm::dvec3 point, glm::dvec3 direction) override {
-        if (point == last_point_ && direction == last_direction_)
+    std::span<const Stretch> along(glm::dvec3 point, glm::dvec3 direction, Side side) override {
+        if (point == last_point_ && direction == last_direction_ && side == last_side_)
             return stretches_;
         last_point_ = point;
         last_direction_ = direction;
+        last_side_ = side;
         stretches_.clear();
-        for (const auto& [begin, end] : tracer_.from_point(point, direction))
+        for (const auto& [begin, end] : tracer_.from_point(point, direction, side))
             stretches_.push_back({begin, end});
         return stretches_;
     }
@@ -60,21 +57,20 @@ class MeshTracer final : public BodyTracer {
                !scene_.meets(origin - nearest * along, along, 0, far + nearest);
     }
 
-    std::optional<glm::dvec3>
-    normal(glm::dvec3 point, glm::dvec3 direction, double distance) override {
-        const auto at = static_cast<float>(distance / scene_.model_per_scene());
-        const glm::vec3 origin = scene_from(point), along(direction);
-        auto hit = scene_.first_hit(origin, along, std::max(0.0f, at - slack), at + slack);
-        if (!hit) // a grazing ray, asked again beside: its place moved by more
-            hit = scene_.first_hit(origin, along, nearest, std::numeric_limits<float>::infinity());
-        if (!hit)
-            return std::nullopt;
-        const auto& [a, b, c] = scene_.triangles()[hit->triangle];
+    /// A needle's normal is what rounding left of it: it is turned to the side that the ray says,
+    /// and is the ray's own direction where nothing is left.
+    glm::dvec3 normal(double distance) override {
+        const bool leaving =
+            std::ranges::any_of(stretches_, [&](const Stretch& s) { return s.end == distance; });
+        const glm::dvec3 ahead = leaving ? last_direction_ : -last_direction_;
+        const auto& [a, b, c] = scene_.triangles()[tracer_.triangle_at(distance)];
         const auto& positions = scene_.positions();
         const glm::dvec3 p(positions[a]), q(positions[b]), r(positions[c]);
         const glm::dvec3 n = glm::cross(q - p, r - p);
         const double length = glm::length(n);
-        return length > 0 ? std::optional(n / length) : std::nullopt;
+        if (length == 0)
+            return ahead;
+        return glm::dot(n, ahead) < 0 ? -n / length : n / length;
     }
 
     double clearance(glm::dvec3 point) override {
@@ -90,6 +86,7 @@ class MeshTracer final : public BodyTracer {
     const Clearance& clearance_;
     geometry::InteriorTracer tracer_;
     glm::dvec3 last_point_{}, last_direction_{}; // no direction is zero
+    Side last_side_ = Side::Unknown;
     std::vector<Stretch> stretches_;
 };
 

@@ -79,7 +79,7 @@ Counts trace_pixels(const Picture& picture,
             const double x = static_cast<double>(pixel % width) + random.next();
             const double y = static_cast<double>(pixel / width) + random.next();
             const auto path = eye.path<N>(x, y);
-            if (tracer->along(path.position, path.direction).empty())
+            if (tracer->along(path.position, path.direction, Side::Outside).empty())
                 continue;
             walk.follow(path, random);
             batches[pixel].covered += 1;

@@ -52,7 +52,8 @@ void SunwardDepth::fill(int u,
     const glm::mat3 scene_from_grid = glm::transpose(grid_from_scene_);
     const glm::dvec3 origin = scene_.scene_from_model({0, 0, 0});
     const glm::dvec3 start(scene_from_grid * glm::vec3(centre(u), centre(v), -1));
-    const auto stretches = tracer.from_point(scene_.model_per_scene() * (start - origin), to_light);
+    const auto stretches = tracer.from_point(scene_.model_per_scene() * (start - origin), to_light,
+                                             geometry::Side::Outside);
     std::uint8_t ahead = 0;
     for (int w = cells_ - 1; w >= 0; --w) {
         ahead_[column(u, v) + static_cast<std::size_t>(w)] = ahead;

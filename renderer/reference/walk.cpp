@@ -28,6 +28,11 @@ double transmittance(double sigma, double length) {
     return sigma == 0 ? 1 : std::exp(-sigma * length);
 }
 
+template <std::size_t N>
+Side side_of(const Path<N>& path) {
+    return path.is_inside ? Side::Inside : Side::Outside;
+}
+
 double covered_by(std::span<const Stretch> stretches) {
     double length = 0;
     for (const auto& [begin, end] : stretches)
@@ -135,7 +140,7 @@ typename Walk<N>::Fate Walk<N>::fly_straight(Path<N>& path, PathRandom& random) 
         path.position += length * path.direction;
         return collide(path, length, random);
     }
-    const auto stretches = tracer_.along(path.position, path.direction);
+    const auto stretches = tracer_.along(path.position, path.direction, side_of(path));
     const bool is_outside = stretches.empty() || stretches.front().begin > 0;
     if (path.is_inside && is_outside && is_deep(path)) {
         events_.leaked();
@@ -174,7 +179,7 @@ void Walk<N>::score_escape(Path<N> path, double length) const {
 /// Matched, from outside: what passes unscattered is known exactly; the rest collides inside.
 template <std::size_t N>
 typename Walk<N>::Fate Walk<N>::force_collision(Path<N>& path, PathRandom& random) {
-    const auto stretches = tracer_.along(path.position, path.direction);
+    const auto stretches = tracer_.along(path.position, path.direction, side_of(path));
     const double whole = covered_by(stretches);
     score_escape(path, whole);
     if (whole == 0)
@@ -209,7 +214,7 @@ typename Walk<N>::Fate Walk<N>::fly_bounded(Path<N>& path, PathRandom& random) {
         path.position += length * path.direction;
         return collide(path, length, random);
     }
-    const auto stretches = tracer_.along(path.position, path.direction);
+    const auto stretches = tracer_.along(path.position, path.direction, side_of(path));
     if (stretches.empty() || stretches.front().begin > 0) {
         if (is_deep(path)) {
             events_.leaked();
@@ -231,7 +236,7 @@ typename Walk<N>::Fate Walk<N>::fly_bounded(Path<N>& path, PathRandom& random) {
 
 template <std::size_t N>
 typename Walk<N>::Fate Walk<N>::approach(Path<N>& path, PathRandom& random) {
-    const auto stretches = tracer_.along(path.position, path.direction);
+    const auto stretches = tracer_.along(path.position, path.direction, side_of(path));
     if (stretches.empty()) {
         events_.escaped(path);
         return Fate::Ends;
@@ -252,13 +257,9 @@ bool Walk<N>::is_deep(const Path<N>& path) {
 
 template <std::size_t N>
 typename Walk<N>::Fate Walk<N>::cross(Path<N>& path, double distance, PathRandom& random) {
-    const auto normal = tracer_.normal(path.position, path.direction, distance);
-    if (!normal) {
-        events_.leaked();
-        return Fate::Ends;
-    }
+    const glm::dvec3 normal = tracer_.normal(distance);
     path.position += distance * path.direction;
-    const glm::dvec3 facing = path.is_inside ? -*normal : *normal;
+    const glm::dvec3 facing = path.is_inside ? -normal : normal;
     const double index = path.is_inside ? 1 / index_ : index_;
     const bool was_inside = path.is_inside;
     const Fate fate = boundary_.kind == BoundaryKind::Smooth

@@ -58,7 +58,7 @@ class WalkEvents {
     /// Roulette has changed the path's weight by `change`, zero on average.
     virtual void gambled(const Spectrum<N>& change) = 0;
 
-    /// An origin inside was found outside, or a surface not found again: the path has been ended.
+    /// An origin inside was found outside: the path has been ended.
     virtual void leaked() = 0;
 };
 

@@ -204,6 +204,37 @@ TEST(Crossings, HairlineGapsHardlyEverLeak) {
     EXPECT_LE(leaks, 6);
 }
 
+// A flap hangs in the air beside a cube, as a triangle does to a ray that grazes an edge and meets
+// one of its two sides: who knows to be outside sees past it, once the neighbour has missed it.
+TEST(Crossings, OneTooManyIsFoundOutByWhoKnowsWhereTheRayStarts) {
+    Mesh mesh = slab(2, 2, 2, 1);
+    const auto n = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const auto& corner : {glm::dvec3(0, 0, 0), glm::dvec3(0, 1e-5, 0), glm::dvec3(1e-5, 0, 0)})
+        mesh.positions.push_back(glm::dvec3(-3e-6, -3e-6, 3) + corner);
+    mesh.triangles.push_back({n + 1, n, n + 2}); // facing +z
+    const RayScene scene(mesh);
+    InteriorTracer tracer(scene);
+    const glm::dvec3 start(0, 0, -20), up(0, 0, 1);
+    EXPECT_EQ(tracer.from_point(start, up).front().begin, 0); // one crossing leaves: it was inside
+    const auto known = tracer.from_point(start, up, Side::Outside);
+    ASSERT_EQ(known.size(), 1u);
+    EXPECT_NEAR(known[0].begin, 19, 1e-4);
+    EXPECT_NEAR(known[0].end, 21, 1e-4);
+    EXPECT_EQ(tracer.statistics().retried, 1u);
+    EXPECT_LT(scene.triangles()[tracer.triangle_at(known[0].end)][0], n);
+}
+
+// The surface has the last word: two rays agree.
+TEST(Crossings, OfAWrongBeliefAreWhatTheyAre) {
+    const RayScene scene(sphere(1, 3));
+    InteriorTracer tracer(scene);
+    const glm::dvec3 s = glm::normalize(glm::dvec3(0.3, 0.2, 1));
+    EXPECT_EQ(tracer.from_point({0, 0, 0}, s, Side::Outside).front().begin, 0);
+    EXPECT_GT(tracer.from_point(-3.0 * s, s, Side::Inside).front().begin, 1.9);
+    EXPECT_EQ(tracer.statistics().retried, 2u);
+    EXPECT_EQ(tracer.statistics().fallbacks, 0u);
+}
+
 // Unconnected scales that all face the ray: no count of theirs adds up, and no two rays agree. They
 // wind around nothing, and that decides.
 TEST(Crossings, WhereNoTwoRaysAgreeTheWindingNumberDecides) {
