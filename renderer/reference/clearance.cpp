@@ -3,6 +3,7 @@
 #include "renderer/reference/clearance.h"
 
 #include "renderer/contract.h"
+#include "renderer/geometry/crossings.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -33,6 +34,7 @@ Clearance::Clearance(const geometry::RayScene& scene, int cells)
     squares_.assign(n * n * n, infinity);
     for (const auto& [a, b, c] : scene.triangles())
         occupy(scene.positions()[a], scene.positions()[b], scene.positions()[c]);
+    note_insides(scene);
     spread();
     steps_.reserve(squares_.size());
     for (const float square : squares_)
@@ -44,15 +46,27 @@ Clearance::Clearance(const geometry::RayScene& scene, int cells)
 }
 
 float Clearance::at(glm::vec3 point) const {
+    const auto cell = cell_at(point);
+    return cell ? step_ * static_cast<float>(steps_[*cell]) : 0;
+}
+
+bool Clearance::is_surely_inside(glm::vec3 point) const {
+    const auto cell = cell_at(point);
+    return cell && insides_[*cell];
+}
+
+std::optional<std::size_t> Clearance::cell_at(glm::vec3 point) const {
     const glm::vec3 place = cells_per_unit_ * (point + half_edge);
     const auto n = static_cast<float>(cells_);
     const bool is_in_grid =
         place.x >= 0 && place.x < n && place.y >= 0 && place.y < n && place.z >= 0 && place.z < n;
     if (!is_in_grid)
-        return 0;
-    const std::size_t cell =
-        index(static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.z));
-    return step_ * static_cast<float>(steps_[cell]);
+        return std::nullopt;
+    return index(static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.z));
+}
+
+glm::vec3 Clearance::centre(int x, int y, int z) const {
+    return (glm::vec3(x, y, z) + 0.5f) / cells_per_unit_ - half_edge;
 }
 
 std::size_t Clearance::index(int x, int y, int z) const {
@@ -85,6 +99,28 @@ void Clearance::occupy(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
         for (int y = cell_of(low.y); y <= cell_of(high.y); ++y)
             for (int x = cell_of(low.x); x <= cell_of(high.x); ++x)
                 squares_[index(x, y, z)] = 0;
+}
+
+/// One ray through the middle of each column: what the middle of a cell is that holds no surface,
+/// all of it is.
+void Clearance::note_insides(const geometry::RayScene& scene) {
+    insides_.assign(squares_.size(), false);
+    const geometry::DenormalsAreZero guard;
+    geometry::InteriorTracer tracer(scene);
+    const double size = scene.model_per_scene();
+    const glm::dvec3 centre_of_scene = -size * scene.scene_from_model({0, 0, 0});
+    for (int y = 0; y < cells_; ++y)
+        for (int x = 0; x < cells_; ++x) {
+            const glm::dvec3 below(centre(x, y, -1));
+            const auto stretches = tracer.from_point(centre_of_scene + size * below, {0, 0, 1},
+                                                     geometry::Side::Outside);
+            for (const auto& [begin, end] : stretches)
+                for (int z = 0; z < cells_; ++z) {
+                    const double along = size * (static_cast<double>(centre(x, y, z).z) - below.z);
+                    if (begin < along && along < end && squares_[index(x, y, z)] > 0)
+                        insides_[index(x, y, z)] = true;
+                }
+        }
 }
 
 /// The least, over a line of cells, of their values plus the squared gap between them and each.

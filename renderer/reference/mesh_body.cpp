@@ -44,9 +44,9 @@ class MeshTracer final : public BodyTracer {
         return stretches_;
     }
 
-    /// Looks a little back, too: rounding may have put the point on the surface's other side,
-    /// whence the ray would meet nothing.  Nothing that leaves the bounding sphere is clear, so
-    /// that a path that has got out unseen is found out.
+    /// That nothing is met proves nothing of a point that rounding or a sharp edge has put on the
+    /// surface's other side: one end must be known to be inside.  Nothing that leaves the bounding
+    /// sphere is clear, so that a path that has got out unseen is found out.
     bool is_clear(glm::dvec3 point, glm::dvec3 direction, double length) override {
         const glm::vec3 origin = scene_from(point), along(direction);
         const auto far = static_cast<float>(length / scene_.model_per_scene());
@@ -54,7 +54,8 @@ class MeshTracer final : public BodyTracer {
             return true;
         const glm::vec3 end = origin + far * along;
         return glm::dot(end, end) <= bounding_square &&
-               !scene_.meets(origin - nearest * along, along, 0, far + nearest);
+               (clearance_.is_surely_inside(end) || clearance_.is_surely_inside(origin)) &&
+               !scene_.meets(origin, along, 0, far + nearest);
     }
 
     /// A needle's normal is what rounding left of it: it is turned to the side that the ray says,

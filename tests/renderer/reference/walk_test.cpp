@@ -190,6 +190,24 @@ TEST(Clearance, NeverExceedsTheDistanceFromASphere) {
     EXPECT_EQ(clearance.at({2, 0, 0}), 0);
 }
 
+// A shell: nothing in its cavity or around it is inside, and most of what is between is known.
+TEST(Clearance, KnowsOnlyInsidesThatAre) {
+    const renderer::geometry::RayScene scene(renderer::geometry::shell(1, 0.5, 4));
+    const Clearance clearance(scene);
+    int insides = 0, known = 0;
+    for (std::uint32_t i = 0; i < 20000; ++i) {
+        PathRandom random({1, i, 0, 0, 0});
+        const glm::dvec3 p = glm::dvec3(random.next(), random.next(), random.next()) - 0.5;
+        const double r = glm::length(p); // faces are up to 0.2 % inside the spheres
+        const bool is_known = clearance.is_surely_inside(glm::vec3(p));
+        EXPECT_TRUE(!is_known || (r > 0.249 && r < 0.5));
+        insides += r > 0.25 && r < 0.499 ? 1 : 0;
+        known += is_known ? 1 : 0;
+    }
+    EXPECT_GT(known, 0.7 * insides);
+    EXPECT_FALSE(clearance.is_surely_inside({2, 0, 0}));
+}
+
 // Of a concave, hollow body, toward a slanting light: never more than there is, and half of that.
 TEST(SunwardDepth, NeverExceedsTheLengthInside) {
     const glm::dvec3 to_light = glm::normalize(glm::dvec3(0.3, -0.5, 1));
