@@ -1,16 +1,21 @@
 // Scattering that hardly absorbs or hardly turns, and surfaces at their critical angle.
 #include "renderer/diffusion/dipole.h"
+#include "renderer/geometry/bodies.h"
 #include "renderer/half_space.h"
 #include "renderer/reference/boundary.h"
 #include "renderer/reference/energy.h"
+#include "renderer/reference/mesh_body.h"
 #include "renderer/reference/phase.h"
+#include "renderer/reference/walk.h"
 #include "tests/hard_cases/hard_cases.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <glm/geometric.hpp>
 
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <utility>
 
 namespace hard_cases {
 
@@ -112,6 +117,52 @@ Case furnace(const std::string& area, const std::string& what, reference::Energy
     return worst.result();
 }
 
+/// The light of one path that absorbs nothing.
+class Escape final : public reference::WalkEvents<1> {
+  public:
+    void collided(const reference::Path<1>&,
+                  const reference::Spectrum<1>&,
+                  reference::PathRandom&) override {}
+
+    void met_surface(const reference::Path<1>&,
+                     const reference::RoughSurface&,
+                     reference::PathRandom&) override {}
+
+    void gambled(const reference::Spectrum<1>& change) override { light_ -= change[0]; }
+
+    void leaked() override {}
+
+    void escaped(const reference::Path<1>& path) override { light_ += path.weight[0]; }
+
+    double taken() { return std::exchange(light_, 0); }
+
+  private:
+    double light_ = 0;
+};
+
+/// Along axes and diagonals through every vertex of a cube: in its faces, along its edges.
+Case corners(const std::string& what, const reference::Boundary& boundary) {
+    Worst worst("walks", what, "what arrives", 12);
+    const auto cube = geometry::slab(2, 2, 2, 2);
+    const auto body = reference::make_mesh_body(cube);
+    const auto tracer = body->tracer();
+    const auto medium = reference::grey_medium(1, 1, 0, 1.4);
+    Escape escape;
+    reference::Walk<1> walk(medium, boundary, *body, *tracer, escape);
+    std::uint32_t number = 0;
+    for (const auto& vertex : cube.positions)
+        for (int i = 0; i < 27; ++i) {
+            const glm::dvec3 way(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            if (way == glm::dvec3(0))
+                continue;
+            const auto direction = glm::normalize(way);
+            reference::PathRandom random({5, number++, 0, 0, 0});
+            walk.follow({.position = vertex - 4.0 * direction, .direction = direction}, random);
+            worst.see(escape.taken(), 1);
+        }
+    return worst.result();
+}
+
 Case dipole_plane() {
     Worst worst("albedo", "dipole's plane, sigma_a = 1e-12 to 1e-3 of sigma_s'", fifty, 14);
     for (const double absorbed : {0.0, 1e-12, 1e-9, 1e-6, 1e-3})
@@ -154,6 +205,9 @@ void add_transport(std::vector<Case>& cases) {
         furnace("anisotropy", "furnace: the sphere at g = 0.999", problem(1, 0.999, 10)));
     cases.push_back(balance("anisotropy", "balance of a slab of 100, g = -0.999, albedo 1 - 1e-6",
                             problem(1 - 1e-6, -0.999, 100)));
+    cases.push_back(corners("light that comes out of a cube from rays along its edges, matched",
+                            {reference::BoundaryKind::Matched}));
+    cases.push_back(corners("the same, smooth", {reference::BoundaryKind::Smooth}));
     cases.push_back(critical_angle());
     cases.push_back(grazing_light());
 }

@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -170,6 +171,86 @@ geometry::Mesh needle_tower(double gap) {
     return mesh;
 }
 
+/// Vertices, middles of edges and of triangles.
+std::vector<glm::dvec3> corners_of(const geometry::Mesh& mesh) {
+    auto points = mesh.positions;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const auto &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
+        points.push_back(0.5 * (p + q));
+        points.push_back(0.5 * (q + r));
+        points.push_back((p + q + r) / 3.0);
+    }
+    return points;
+}
+
+/// Directions along axes and diagonals, where rays run in faces and through edges, and others.
+std::vector<glm::dvec3> awkward_directions() {
+    std::vector<glm::dvec3> directions;
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z)
+                if (x != 0 || y != 0 || z != 0)
+                    directions.push_back(glm::normalize(glm::dvec3(x, y, z)));
+    for (std::uint32_t i = 0; i < 6; ++i) {
+        PathRandom random({3, i, 0, 0, 0});
+        const double cosine = 2 * random.next() - 1;
+        directions.push_back(around({0, 0, 1}, cosine, random.next()));
+    }
+    return directions;
+}
+
+/// What comes out again of light that is not absorbed, but for what roulette took or gave.
+class EscapeTally final : public WalkEvents<1> {
+  public:
+    void collided(const Path<1>&, const Spectrum<1>&, PathRandom&) override {}
+
+    void met_surface(const Path<1>&, const RoughSurface&, PathRandom&) override {}
+
+    void gambled(const Spectrum<1>& change) override { light -= change[0]; }
+
+    void leaked() override { ++leaks; }
+
+    void escaped(const Path<1>& path) override { light += path.weight[0]; }
+
+    double light = 0;
+    int leaks = 0;
+};
+
+/// Whether the way from the surface leads into a body that is convex for 0.4 around, and not along
+/// a face.
+bool leads_inside(BodyTracer& tracer, glm::dvec3 point, glm::dvec3 direction) {
+    const glm::dvec3 ahead = point + 0.4 * direction;
+    const auto stretches = tracer.along(ahead, direction, Side::Unknown);
+    return tracer.clearance(ahead) > 0 && !stretches.empty() && stretches.front().begin == 0;
+}
+
+/// Toward every corner from afar and from every corner inward, in all awkward directions.
+std::vector<Path<1>> awkward_paths(const geometry::Mesh& mesh, BodyTracer& tracer) {
+    std::vector<Path<1>> paths;
+    for (const auto& point : corners_of(mesh))
+        for (const auto& direction : awkward_directions()) {
+            paths.push_back({.position = point - 4.0 * direction, .direction = direction});
+            if (leads_inside(tracer, point, direction))
+                paths.push_back({.position = point, .direction = direction, .is_inside = true});
+        }
+    return paths;
+}
+
+EscapeTally
+walk_all(const geometry::Mesh& mesh, const Medium& medium, const Boundary& boundary, int& paths) {
+    const auto body = make_mesh_body(mesh);
+    const auto tracer = body->tracer();
+    EscapeTally tally;
+    Walk<1> walk(medium, boundary, *body, *tracer, tally);
+    std::uint32_t number = 0;
+    for (const auto& path : awkward_paths(mesh, *tracer)) {
+        PathRandom random({1, number++, 0, 0, 0});
+        walk.follow(path, random);
+    }
+    paths = static_cast<int>(number);
+    return tally;
+}
+
 geometry::Mesh cube() {
     return geometry::slab(2, 2, 2, 1);
 }
@@ -185,8 +266,34 @@ TEST(NeedleTower, KeepsItsNeedlesInFloat) {
     EXPECT_EQ(p[2].y, std::nextafter(p[3].y, 0.0f));
 }
 
+/// Two faces that meet at 1 degree.
+geometry::Mesh wedge() {
+    const double half = 2 * std::tan(0.5 * std::numbers::pi / 180);
+    geometry::Mesh mesh;
+    for (const double z : {-1.0, 1.0})
+        for (const auto& [x, y] : {std::pair{0.0, 0.0}, {2.0, -half}, {2.0, half}})
+            mesh.positions.emplace_back(x, y, z);
+    mesh.triangles = {{0, 2, 1}, {3, 4, 5}};
+    for (const auto& [i, j] : {std::pair{0u, 1u}, {1u, 2u}, {2u, 0u}}) {
+        mesh.triangles.push_back({i, j, 3 + j});
+        mesh.triangles.push_back({i, 3 + j, 3 + i});
+    }
+    return mesh;
+}
+
+/// Side by side: their faces lie in the same planes, with nothing in between.
+geometry::Mesh two_cubes() {
+    geometry::Mesh both = cube();
+    const auto n = static_cast<std::uint32_t>(both.positions.size());
+    for (const auto& p : cube().positions)
+        both.positions.push_back(p + glm::dvec3(3, 0, 0));
+    for (const auto& [a, b, c] : cube().triangles)
+        both.triangles.push_back({n + a, n + b, n + c});
+    return both;
+}
+
 TEST(Walk, LosesNothingOutOfNeedles) {
-    for (const auto& mesh : {cube(), narrow_tower(), geometry::sphere(1, 1)})
+    for (const auto& mesh : {cube(), narrow_tower(), wedge(), geometry::sphere(1, 1)})
         for (const auto& [boundary, index] : {std::pair{matched, 1.0}, {smooth, 1.4}}) {
             const auto bounds = geometry::bounding_sphere(mesh);
             const auto b = body_energy(*make_mesh_body(mesh), bounds.centre, bounds.radius,
@@ -194,6 +301,33 @@ TEST(Walk, LosesNothingOutOfNeedles) {
             EXPECT_NEAR(b.escape.value + b.roulette.value, 1, 1e-12);
             EXPECT_EQ(b.leaks, 0u);
         }
+}
+
+TEST(Walk, LosesNothingAtVerticesEdgesAndNeedles) {
+    const Boundary rough{BoundaryKind::Rough, 0.3};
+    for (const auto& mesh : {cube(), narrow_tower(), wedge(), two_cubes(), geometry::sphere(1, 1)})
+        for (const auto& [boundary, index] :
+             {std::pair{matched, 1.0}, {smooth, 1.4}, {rough, 1.4}}) {
+            int paths = 0;
+            const auto tally = walk_all(mesh, grey_medium(1, 1, 0, index), boundary, paths);
+            EXPECT_EQ(tally.leaks, 0) << mesh.triangles.size() << ' ' << name_of(boundary.kind);
+            EXPECT_NEAR(tally.light, paths, 1e-9 * paths);
+            EXPECT_GT(paths, 900);
+        }
+}
+
+// Through the face that is not there, paths get out unseen; each is found out and counted, and
+// nothing but its light is missing.
+TEST(Walk, CountsWhatAMissingFaceLoses) {
+    geometry::Mesh open = cube();
+    std::erase_if(open.triangles, [&](const geometry::Triangle& t) {
+        return std::ranges::all_of(t, [&](auto v) { return open.positions[v].z > 0; });
+    });
+    ASSERT_EQ(open.triangles.size(), cube().triangles.size() - 2);
+    int paths = 0;
+    const auto tally = walk_all(open, grey_medium(1, 1, 0, 1.4), smooth, paths);
+    EXPECT_GT(tally.leaks, paths / 100);
+    EXPECT_NEAR(tally.light, paths - tally.leaks, 1e-9 * paths);
 }
 
 } // namespace
