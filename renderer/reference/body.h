@@ -36,7 +36,7 @@ class BodyTracer {
     virtual bool is_clear(glm::dvec3 point, glm::dvec3 direction, double length) = 0;
 
     /// The unit outward normal at `distance` on the ray that `along` was asked about last, where
-    /// one of its stretches begins or ends: on that ray's side when it begins, on the other when it
+    /// one of its stretches begins or ends: against the ray where it begins, along it where it
     /// ends.
     virtual glm::dvec3 normal(double distance) = 0;
 
