@@ -119,9 +119,9 @@ std::shared_ptr<const SunwardDepth> Body::sunward_depth(glm::dvec3) const {
     return nullptr;
 }
 
-double interior_length(BodyTracer& tracer, glm::dvec3 point, glm::dvec3 direction) {
+double interior_length(BodyTracer& tracer, glm::dvec3 point, glm::dvec3 direction, Side side) {
     double length = 0;
-    for (const auto& [begin, end] : tracer.along(point, direction, Side::Unknown))
+    for (const auto& [begin, end] : tracer.along(point, direction, side))
         length += end - begin;
     return length;
 }

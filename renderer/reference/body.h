@@ -64,7 +64,10 @@ class Body {
 };
 
 /// The length of the ray inside the material.
-double interior_length(BodyTracer& tracer, glm::dvec3 point, glm::dvec3 direction);
+double interior_length(BodyTracer& tracer,
+                       glm::dvec3 point,
+                       glm::dvec3 direction,
+                       Side side = Side::Unknown);
 
 /// Between the planes z = 0 and z = -thickness; infinitely wide.  `thickness` may be infinite: a
 /// half-space.

@@ -19,11 +19,10 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// Half an edge of the cube that the grid fills: scenes have unit diameter, and rounding.
-constexpr float half_edge = 0.501f;
-
 // Bounds are kept in quarters of a cell, rounded down.
 constexpr float steps_in_cell = 4;
+
+constexpr float most_steps = 126; // that a code has room for
 
 } // namespace
 
@@ -34,43 +33,19 @@ Clearance::Clearance(const geometry::RayScene& scene, int cells)
     squares_.assign(n * n * n, infinity);
     for (const auto& [a, b, c] : scene.triangles())
         occupy(scene.positions()[a], scene.positions()[b], scene.positions()[c]);
-    note_insides(scene);
+    tell_sides(scene);
     spread();
-    steps_.reserve(squares_.size());
-    for (const float square : squares_)
-        steps_.push_back(
-            static_cast<std::uint8_t>(std::min(255.0f, steps_in_cell * std::sqrt(square))));
+    for (std::size_t i = 0; i < codes_.size(); ++i)
+        if (codes_[i] != 0)
+            codes_[i] += static_cast<std::uint8_t>(
+                std::min(most_steps, steps_in_cell * std::sqrt(squares_[i])));
     squares_ = {};
     // A hair less than the bound: float arithmetic of those who compare with it.
     step_ = (1 - 1e-5f) / (steps_in_cell * cells_per_unit_);
 }
 
-float Clearance::at(glm::vec3 point) const {
-    const auto cell = cell_at(point);
-    return cell ? step_ * static_cast<float>(steps_[*cell]) : 0;
-}
-
-bool Clearance::is_surely_inside(glm::vec3 point) const {
-    const auto cell = cell_at(point);
-    return cell && insides_[*cell];
-}
-
-std::optional<std::size_t> Clearance::cell_at(glm::vec3 point) const {
-    const glm::vec3 place = cells_per_unit_ * (point + half_edge);
-    const auto n = static_cast<float>(cells_);
-    const bool is_in_grid =
-        place.x >= 0 && place.x < n && place.y >= 0 && place.y < n && place.z >= 0 && place.z < n;
-    if (!is_in_grid)
-        return std::nullopt;
-    return index(static_cast<int>(place.x), static_cast<int>(place.y), static_cast<int>(place.z));
-}
-
 glm::vec3 Clearance::centre(int x, int y, int z) const {
     return (glm::vec3(x, y, z) + 0.5f) / cells_per_unit_ - half_edge;
-}
-
-std::size_t Clearance::index(int x, int y, int z) const {
-    return static_cast<std::size_t>((z * cells_ + y) * cells_ + x);
 }
 
 int Clearance::cell_of(float coordinate) const {
@@ -101,10 +76,10 @@ void Clearance::occupy(glm::vec3 a, glm::vec3 b, glm::vec3 c) {
                 squares_[index(x, y, z)] = 0;
 }
 
-/// One ray through the middle of each column: what the middle of a cell is that holds no surface,
-/// all of it is.
-void Clearance::note_insides(const geometry::RayScene& scene) {
-    insides_.assign(squares_.size(), false);
+/// One ray through the middle of each column: where the middle of a cell is that the surface does
+/// not touch, all of it is.
+void Clearance::tell_sides(const geometry::RayScene& scene) {
+    codes_.assign(squares_.size(), 0);
     const geometry::DenormalsAreZero guard;
     geometry::InteriorTracer tracer(scene);
     const double size = scene.model_per_scene();
@@ -114,12 +89,13 @@ void Clearance::note_insides(const geometry::RayScene& scene) {
             const glm::dvec3 below(centre(x, y, -1));
             const auto stretches = tracer.from_point(centre_of_scene + size * below, {0, 0, 1},
                                                      geometry::Side::Outside);
-            for (const auto& [begin, end] : stretches)
-                for (int z = 0; z < cells_; ++z) {
-                    const double along = size * (static_cast<double>(centre(x, y, z).z) - below.z);
-                    if (begin < along && along < end && squares_[index(x, y, z)] > 0)
-                        insides_[index(x, y, z)] = true;
-                }
+            for (int z = 0; z < cells_; ++z) {
+                const double along = size * (static_cast<double>(centre(x, y, z).z) - below.z);
+                const bool is_inside = std::ranges::any_of(
+                    stretches, [&](const auto& s) { return s.begin < along && along < s.end; });
+                if (squares_[index(x, y, z)] > 0)
+                    codes_[index(x, y, z)] = is_inside ? untouched : outside | untouched;
+            }
         }
 }
 

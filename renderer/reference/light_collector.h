@@ -56,12 +56,13 @@ class LightCollector final : public WalkEvents<N> {
         Sun sun;
         double solid_angle = 0;
         Spectrum<3> radiance{}, power{};
-        std::shared_ptr<const SunwardDepth> depth; ///< of a single direction; may be null
+        std::shared_ptr<const SunwardDepth> depth; ///< of a single direction; null when unknown
     };
 
-    double drawn_asking(const Path<N>& path, double least_length, double u) const;
+    double drawn_asking(const Path<N>& path, double u) const;
     Connection to_disc(const Disc& disc, PathRandom& random) const;
     std::optional<Connection> to_lamp(const Lamp& lamp, glm::dvec3 from) const;
+    void collect_guessed(const Path<N>& path, const Disc& disc, double u);
     void collect_scattered(const Path<N>& path, const Connection& to, double asking);
     void collect_reflected(const Path<N>& path, const RoughSurface& surface, const Connection& to);
     std::optional<double> length_inside(glm::dvec3 from, Side side, const Connection& to);

@@ -23,9 +23,6 @@ constexpr double surface_offset = 2e-6;
 
 constexpr float nearest = 1e-6f;
 
-// Of the bounding sphere's radius, and a hair.
-constexpr float bounding_square = 0.25001f;
-
 class MeshTracer final : public BodyTracer {
   public:
     MeshTracer(const geometry::RayScene& scene, const Clearance& clearance)
@@ -45,15 +42,15 @@ class MeshTracer final : public BodyTracer {
     }
 
     /// That nothing is met proves nothing of a point that rounding or a sharp edge has put on the
-    /// surface's other side: one end must be known to be inside.  Nothing that leaves the bounding
-    /// sphere is clear, so that a path that has got out unseen is found out.
+    /// surface's other side: one end must be known to be inside, and neither outside, so that a
+    /// path that has got out unseen is found out.
     bool is_clear(glm::dvec3 point, glm::dvec3 direction, double length) override {
         const glm::vec3 origin = scene_from(point), along(direction);
         const auto far = static_cast<float>(length / scene_.model_per_scene());
         if (far < clearance_.at(origin))
             return true;
         const glm::vec3 end = origin + far * along;
-        return glm::dot(end, end) <= bounding_square &&
+        return !clearance_.is_surely_outside(end) &&
                (clearance_.is_surely_inside(end) || clearance_.is_surely_inside(origin)) &&
                !scene_.meets(origin, along, 0, far + nearest);
     }

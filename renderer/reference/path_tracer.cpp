@@ -25,6 +25,9 @@ namespace {
 // Pixels of one task: enough to forget its start, few enough to keep all threads busy to the end.
 constexpr std::size_t pixels_in_task = 256;
 
+// Edges want lines of sight, dark interiors paths.
+constexpr int log2_least_lines = 2;
+
 /// The line of sight through any point of the picture.
 class Eye {
   public:
@@ -69,21 +72,28 @@ Counts trace_pixels(const Picture& picture,
     Walk<N> walk(picture.medium, picture.boundary, *picture.body, *tracer, collector, tactics.walk);
     const Eye eye(picture.camera, film.width, film.height);
     const auto width = static_cast<std::size_t>(film.width);
-    const std::uint32_t samples = 1u << film.log2_batch;
+    const int log2_paths = std::clamp(film.log2_batch - log2_least_lines, 0, tactics.log2_paths);
+    const int log2_lines = film.log2_batch - log2_paths;
+    const std::uint32_t samples = 1u << film.log2_batch, paths = 1u << log2_paths;
+    std::vector<Stretch> ahead;
     Counts counts;
     for (std::size_t pixel = first; pixel < last; ++pixel) {
         const auto number = static_cast<std::uint32_t>(pixel);
         const Strata strata(film.seed, number, film.batches);
-        for (std::uint32_t s = 0; s < samples; ++s) {
-            PathRandom random({film.seed, number, film.batches, s, film.log2_batch}, strata);
-            const double x = static_cast<double>(pixel % width) + random.next();
-            const double y = static_cast<double>(pixel / width) + random.next();
-            const auto path = eye.path<N>(x, y);
-            if (tracer->along(path.position, path.direction, Side::Outside).empty())
+        for (std::uint32_t s = 0; s < samples; s += paths) {
+            const auto [x, y] = strata.in_pixel(s / paths, log2_lines);
+            const auto path = eye.path<N>(static_cast<double>(pixel % width) + x,
+                                          static_cast<double>(pixel / width) + y);
+            const auto met = tracer->along(path.position, path.direction, Side::Outside);
+            if (met.empty())
                 continue;
-            walk.follow(path, random);
-            batches[pixel].covered += 1;
-            ++counts.paths;
+            ahead.assign(met.begin(), met.end());
+            for (std::uint32_t i = s; i < s + paths; ++i) {
+                PathRandom random({film.seed, number, film.batches, i, film.log2_batch}, strata);
+                walk.follow(path, ahead, random);
+            }
+            batches[pixel].covered += paths;
+            counts.paths += paths;
         }
         batches[pixel].mean = collector.taken();
         for (auto& light : batches[pixel].mean)

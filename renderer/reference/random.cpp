@@ -13,6 +13,9 @@ constexpr double unit = 0x1p-32;
 // stays below.
 constexpr std::uint32_t scramble_blocks = 0x80000000u;
 
+// The same for the numbers apart.
+constexpr std::uint32_t apart_blocks = 0x40000000u;
+
 constexpr std::uint32_t reversed(std::uint32_t x) {
     x = (x >> 16) | (x << 16);
     x = ((x & 0x00ff00ffu) << 8) | ((x & 0xff00ff00u) >> 8);
@@ -62,7 +65,30 @@ constexpr Directions sobol_directions() {
     return v;
 }
 
-constexpr Directions directions = sobol_directions();
+/// The points with one byte of the index set; the others are their sums.
+struct ByteTable {
+    std::array<std::array<std::uint32_t, 4>, 256> low{}, high{};
+};
+
+constexpr ByteTable sums_of_directions() {
+    constexpr Directions v = sobol_directions();
+    ByteTable table;
+    for (unsigned byte = 0; byte < 256; ++byte)
+        for (unsigned d = 0; d < 4; ++d)
+            for (unsigned i = 0; i < 8; ++i)
+                if ((byte >> i) & 1u) {
+                    table.low[byte][d] ^= v[d][i];
+                    table.high[byte][d] ^= v[d][i + 8];
+                }
+    return table;
+}
+
+constexpr ByteTable points = sums_of_directions();
+
+std::array<double, 4> independent(const PathRandom::Name& name, std::uint32_t block) {
+    const Words words = philox({name.pixel, name.batch, name.sample, block}, name.seed);
+    return {unit * words[0], unit * words[1], unit * words[2], unit * words[3]};
+}
 
 } // namespace
 
@@ -85,20 +111,26 @@ scrambled_sobol(std::uint32_t index, int log2_count, const Words& scrambles, std
     EXPECTS(index < (1u << log2_count));
     const auto bits = static_cast<unsigned>(log2_count);
     const std::uint32_t shuffled = bits == 0 ? 0 : owen(index << (32 - bits), order) >> (32 - bits);
+    const auto &low = points.low[shuffled & 255u], &high = points.high[shuffled >> 8];
     std::array<double, 4> point{};
-    for (unsigned d = 0; d < 4; ++d) {
-        std::uint32_t x = 0;
-        for (unsigned i = 0; i < bits; ++i)
-            x ^= directions[d][i] & (0u - ((shuffled >> i) & 1u));
-        point[d] = unit * owen(x, scrambles[d]);
-    }
+    for (unsigned d = 0; d < 4; ++d)
+        point[d] = unit * owen(low[d] ^ high[d], scrambles[d]);
     return point;
 }
 
 Strata::Strata(std::uint64_t seed, std::uint32_t pixel, std::uint32_t batch) {
+    const auto scrambled = [&](std::uint32_t block) {
+        return Block{philox({pixel, batch, 0, scramble_blocks + block}, seed),
+                     philox({pixel, batch, 1, scramble_blocks + block}, seed)[0]};
+    };
     for (std::uint32_t block = 0; block < blocks; ++block)
-        blocks_[block] = {philox({pixel, batch, 0, scramble_blocks + block}, seed),
-                          philox({pixel, batch, 1, scramble_blocks + block}, seed)[0]};
+        blocks_[block] = scrambled(block);
+    pixel_ = scrambled(blocks);
+}
+
+std::array<double, 2> Strata::in_pixel(std::uint32_t line, int log2_lines) const {
+    const auto point = scrambled_sobol(line, log2_lines, pixel_.scrambles, pixel_.order);
+    return {point[0], point[1]};
 }
 
 PathRandom::PathRandom(const Name& name, const Strata& strata) : PathRandom(name) {
@@ -119,9 +151,11 @@ void PathRandom::refill() {
         numbers_ = scrambled_sobol(name_.sample, name_.log2_batch, scrambles, order);
         return;
     }
-    const Words words = philox({name_.pixel, name_.batch, name_.sample, block}, name_.seed);
-    for (unsigned i = 0; i < 4; ++i)
-        numbers_[i] = unit * words[i];
+    numbers_ = independent(name_, block);
+}
+
+void PathRandom::refill_apart() {
+    apart_ = independent(name_, apart_blocks + drawn_apart_ / 4);
 }
 
 } // namespace renderer::reference

@@ -2,9 +2,10 @@
 // sample, n) alone, so that a picture is the same for any order of its pixels and any number of
 // threads.
 //
-// A path's first numbers are stratified over the samples of its batch, where that pays (pixel,
-// first flight, first turn); the rest are independent.  Batches are independent of each other, so
-// that the spread of their means is an honest standard error.
+// Lines of sight are stratified over a pixel, the first numbers of the paths behind them over all
+// the paths of a batch, where that pays (first flights and turns); the rest are independent.
+// Batches are independent of each other, so that the spread of their means is an honest standard
+// error.
 #pragma once
 
 #include <array>
@@ -37,12 +38,16 @@ class Strata {
         std::uint32_t order = 0;
     };
 
-    static constexpr std::uint32_t blocks = 3;
+    static constexpr std::uint32_t blocks = 5;
 
     const Block& operator[](std::uint32_t block) const { return blocks_[block]; }
 
+    /// Where in the pixel line `line` of 2^log2_lines runs: both in [0, 1).
+    std::array<double, 2> in_pixel(std::uint32_t line, int log2_lines) const;
+
   private:
     std::array<Block, blocks> blocks_;
+    Block pixel_;
 };
 
 /// The numbers of one path, in order.
@@ -73,13 +78,24 @@ class PathRandom {
         return numbers_[drawn_++ % 4];
     }
 
+    /// An independent number apart from the sequence, whose order it leaves alone: for choices that
+    /// only some paths have to make.
+    double next_apart() {
+        if (drawn_apart_ % 4 == 0)
+            refill_apart();
+        return apart_[drawn_apart_++ % 4];
+    }
+
   private:
     void refill();
+    void refill_apart();
 
     Name name_;
     const Strata* strata_ = nullptr; // without, they are made when they are needed
     std::uint32_t drawn_ = 0;
     std::array<double, 4> numbers_{};
+    std::uint32_t drawn_apart_ = 0;
+    std::array<double, 4> apart_{};
 };
 
 } // namespace renderer::reference

@@ -1,5 +1,4 @@
-// How much material surely lies on the way to a sun: what spares collisions deep in its shadow the
-// asking.
+// How much material lies on the way to a sun: what spares most collisions the asking.
 #pragma once
 
 #include "renderer/geometry/crossings.h"
@@ -9,24 +8,33 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace renderer::reference {
 
-/// Lower bounds on the length inside from any point toward one direction, in model units: a grid
-/// along that direction, whose columns a ray does not leave.
+/// What is known of the length inside, from a point toward the sun, without a ray.  Model units.
+struct DepthGuess {
+    double least = 0;  ///< surely no less
+    double likely = 0; ///< between the rays nearby
+    double spread = 0; ///< how far those rays are apart
+};
+
+/// Guesses for any point and one direction: a grid along that direction, whose columns a ray does
+/// not leave.
 class SunwardDepth {
   public:
-    /// `cells` along an edge of the cube, 1..255; memory is a byte for each cell.  `scene` must
-    /// outlive this.
+    /// `cells` along an edge of the cube, 2..255; memory is three bytes for each cell.  `scene`
+    /// must outlive this.
     SunwardDepth(const geometry::RayScene& scene,
                  const Clearance& clearance,
                  glm::dvec3 to_light,
-                 int cells = 96);
+                 int cells = 64);
 
-    /// 0 outside the grid.
-    double at(glm::dvec3 point) const;
+    /// Near the grid's rim and outside nothing is known: 0, 0 and the greatest number.
+    DepthGuess at(glm::dvec3 point) const;
 
   private:
     std::size_t column(int u, int v) const;
@@ -35,12 +43,14 @@ class SunwardDepth {
               const Clearance& clearance,
               geometry::InteriorTracer& tracer,
               glm::dvec3 to_light);
+    void interpolate(DepthGuess& guess, glm::vec3 place) const;
 
     const geometry::RayScene& scene_;
     glm::mat3 grid_from_scene_; ///< rotation: the light's direction becomes the third axis
     int cells_;
-    double step_;                     ///< model units
-    std::vector<std::uint8_t> ahead_; ///< cells inside with all they hold, beyond each cell
+    double cell_;                       ///< model units
+    std::vector<std::uint8_t> ahead_;   ///< cells inside with all they hold, beyond each cell
+    std::vector<std::uint16_t> depths_; ///< length inside beyond the centre, 1/256 of a cell
 };
 
 } // namespace renderer::reference

@@ -112,13 +112,28 @@ Walk<N>::Walk(const Medium& medium,
 }
 
 template <std::size_t N>
-void Walk<N>::follow(Path<N> path, PathRandom& random) {
+void Walk<N>::follow(const Path<N>& path, PathRandom& random) {
+    ahead_.clear();
+    if (forces_first(path)) {
+        const auto ahead = tracer_.along(path.position, path.direction, side_of(path));
+        ahead_.assign(ahead.begin(), ahead.end());
+    }
+    follow(path, ahead_, random);
+}
+
+template <std::size_t N>
+bool Walk<N>::forces_first(const Path<N>& path) const {
+    return boundary_.kind == BoundaryKind::Matched && tactics_.force_first && !path.is_inside;
+}
+
+template <std::size_t N>
+void Walk<N>::follow(Path<N> path, std::span<const Stretch> ahead, PathRandom& random) {
     if constexpr (N > 1)
         path.hero = std::min(N - 1, static_cast<std::size_t>(random.next() * N));
     const bool is_matched = boundary_.kind == BoundaryKind::Matched;
     Fate fate = Fate::Goes;
-    if (is_matched && tactics_.force_first && !path.is_inside)
-        fate = force_collision(path, random);
+    if (forces_first(path))
+        fate = force_collision(path, ahead, random);
     while (fate == Fate::Goes) {
         if (is_matched)
             fate = fly_straight(path, random);
@@ -178,9 +193,9 @@ void Walk<N>::score_escape(Path<N> path, double length) const {
 
 /// Matched, from outside: what passes unscattered is known exactly; the rest collides inside.
 template <std::size_t N>
-typename Walk<N>::Fate Walk<N>::force_collision(Path<N>& path, PathRandom& random) {
-    const auto stretches = tracer_.along(path.position, path.direction, side_of(path));
-    const double whole = covered_by(stretches);
+typename Walk<N>::Fate
+Walk<N>::force_collision(Path<N>& path, std::span<const Stretch> ahead, PathRandom& random) {
+    const double whole = covered_by(ahead);
     score_escape(path, whole);
     if (whole == 0)
         return Fate::Ends;
@@ -202,7 +217,7 @@ typename Walk<N>::Fate Walk<N>::force_collision(Path<N>& path, PathRandom& rando
         density[k] = sigma_t_[k] * whole < thin ? 1 / whole : sigma_t_[k] * reaching / colliding[k];
     }
     const auto stays = advance(path, scattered, density, absorbed);
-    path.position += along_stretches(stretches, length) * path.direction;
+    path.position += along_stretches(ahead, length) * path.direction;
     path.is_inside = true;
     return turn(path, stays, random);
 }
@@ -365,7 +380,7 @@ void Walk<N>::choose_direction(Path<N>& path, PathRandom& random) const {
     const double u = random.next(), v = random.next();
     if (g == 0) { // whither does not depend on whence
         path.turn_density = isotropic;
-        path.direction = around({0, 0, 1}, 2 * u - 1, v);
+        path.direction = on_sphere(u, v);
         return;
     }
     const double cosine = sample_henyey_greenstein(u, g);

@@ -14,6 +14,9 @@
 
 #include <glm/vec3.hpp>
 
+#include <span>
+#include <vector>
+
 namespace renderer::reference {
 
 template <std::size_t N>
@@ -80,15 +83,20 @@ class Walk {
          const WalkTactics& tactics = {});
 
     /// Follows a path that starts outside or inside until it escapes or fades.
-    void follow(Path<N> path, PathRandom& random);
+    void follow(const Path<N>& path, PathRandom& random);
+
+    /// The same where what the tracer says of the path's first line is known already; `ahead` is a
+    /// copy, for the tracer will be asked other questions.
+    void follow(Path<N> path, std::span<const Stretch> ahead, PathRandom& random);
 
   private:
     enum class Fate { Goes, Ends };
 
+    bool forces_first(const Path<N>& path) const;
     double flight(const Path<N>& path, PathRandom& random) const;
     Fate fly_straight(Path<N>& path, PathRandom& random);
     Fate fly_bounded(Path<N>& path, PathRandom& random);
-    Fate force_collision(Path<N>& path, PathRandom& random);
+    Fate force_collision(Path<N>& path, std::span<const Stretch> ahead, PathRandom& random);
     Fate approach(Path<N>& path, PathRandom& random);
     bool is_deep(const Path<N>& path);
     Fate cross(Path<N>& path, double distance, PathRandom& random);
@@ -104,6 +112,7 @@ class Walk {
     Boundary boundary_;
     BodyTracer& tracer_;
     WalkEvents<N>& events_;
+    std::vector<Stretch> ahead_; // of the path that is followed
     WalkTactics tactics_;
     double offset_;
     double index_;

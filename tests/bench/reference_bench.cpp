@@ -85,8 +85,8 @@ struct Choice {
     int log2_batch;
 };
 
-const TracerTactics plain{.walk = {.roulette_after = 32, .force_first = false},
-                          .light_threshold = 0};
+const TracerTactics plain{
+    .walk = {.roulette_after = 32, .force_first = false}, .light_threshold = 0, .log2_paths = 0};
 
 std::vector<Choice> choices() {
     std::vector<Choice> list{{"plain", plain, 0}};
@@ -95,13 +95,18 @@ std::vector<Choice> choices() {
     auto forced = plain;
     forced.walk.force_first = true;
     list.push_back({"+ forced first collision", forced, 6});
-    for (const double threshold : {0.1, 0.3, 1.0}) {
-        auto t = forced;
+    auto sharing = forced;
+    for (const int log2_paths : {2, 4}) {
+        sharing.log2_paths = log2_paths;
+        list.push_back({fmt::format("+ {} paths a line of sight", 1 << log2_paths), sharing, 6});
+    }
+    for (const double threshold : {0.03, 0.1, 0.3}) {
+        auto t = sharing;
         t.light_threshold = threshold;
         list.push_back({fmt::format("+ light asked below {}", threshold), t, 6});
     }
     for (const int after : {8, 1000}) {
-        auto t = forced;
+        auto t = sharing;
         t.light_threshold = 0.1;
         t.walk.roulette_after = after;
         list.push_back({fmt::format("+ roulette after {}", after), t, 6});
@@ -264,7 +269,7 @@ void one_scene(const std::string& name,
                const std::string& mask_file) {
     const auto picture = bench::comparison_picture(name, model).picture;
     Film outline = blank_film(pixels, pixels, 1, 6);
-    measure(picture, outline, 2, {});
+    measure(picture, outline, 2, {.log2_paths = 0}); // a line of sight for each sample
     const auto mask = write_mask(outline, mask_file);
     double variance = 0, cpu = 0, average = 0;
     for (int s = 1; s <= seeds; ++s) {
