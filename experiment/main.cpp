@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
              commands::add_demo,
              commands::add_schedule,
              commands::add_thickness,
+             commands::add_simplify,
              commands::add_reference,
              commands::add_compare,
              commands::add_fit,

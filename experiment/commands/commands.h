@@ -22,6 +22,7 @@ void add_report(CLI::App& program);
 void add_schedule(CLI::App& program);
 void add_thickness(CLI::App& program);
 void add_reference(CLI::App& program);
+void add_simplify(CLI::App& program);
 void add_compare(CLI::App& program);
 void add_methods(CLI::App& program);
 void add_fit(CLI::App& program);

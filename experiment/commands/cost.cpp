@@ -1,10 +1,11 @@
 // pairlight cost: what every method and its dials cost, how far they are off, and which to take.
 #include "experiment/commands/commands.h"
+#include "experiment/commands/given_options.h"
 #include "experiment/commands/within.h"
-#include "experiment/cost/choices.h"
 #include "experiment/cost/contestants.h"
 #include "experiment/cost/cost_files.h"
 #include "experiment/cost/cost_page.h"
+#include "experiment/cost/earlier_runs.h"
 #include "experiment/cost/measure_scene.h"
 #include "experiment/models.h"
 #include "experiment/progress.h"
@@ -28,7 +29,7 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
 namespace experiment::commands {
 
@@ -44,7 +45,8 @@ struct Options {
     std::vector<std::string> scenes, variants;
     // for a model without a study
     protocols::Scene look{.material = "marble"};
-    std::array<double, 3> to_light{0, 0, 0};
+    std::optional<std::array<double, 3>> to_light; ///< under three lights without it
+    renderer::geometry::Holes holes = renderer::geometry::Holes::Refuse;
     int frame_size = 480;
     std::string time = "auto";
 
@@ -69,13 +71,13 @@ LoadedStudy study_of_model(const Options& options) {
     LoadedStudy loaded{.folder = {"."}, .study = {}, .sha256 = {}};
     auto scene = options.look;
     scene.model = options.subject;
+    scene.may_have_holes = options.holes == renderer::geometry::Holes::ByWinding;
     scene.id = {fs::path(options.subject).stem().string()};
     loaded.study.id = loaded.study.title = scene.id.value;
     loaded.study.width = loaded.study.height = options.frame_size;
     loaded.study.scenes = {scene};
-    const auto& l = options.to_light;
-    if (std::hypot(l[0], l[1], l[2]) > 0)
-        loaded.study.variants = {lit_from("light", "under the light asked for", l)};
+    if (options.to_light)
+        loaded.study.variants = {lit_from("light", "under the light asked for", *options.to_light)};
     else
         loaded.study.variants = {lit_from("back", "from behind", {0, 0.3, -1}),
                                  lit_from("front", "from the front", {0.3, 0.3, 1}),
@@ -143,10 +145,38 @@ cost::Wish wish_of(const Options& options) {
     return wish;
 }
 
+void expect_direction(const char* option, const std::array<double, 3>& v) {
+    if (!(std::hypot(v[0], v[1], v[2]) > 0))
+        throw CommandError(fmt::format("{} {} {} {}: expected a direction, not all zero", option,
+                                       v[0], v[1], v[2]));
+}
+
+void refuse_what_changes_nothing(const Options& options, const CLI::App& command) {
+    if (options.subject.empty())
+        throw CommandError("\"\": expected a study's folder or file, or a model file, a model's "
+                           "name or a body");
+    if (!options.earlier.empty())
+        expect_not_given(command,
+                         {"--scene", "--variant", "--material", "--diameter-mm", "--turn-degrees",
+                          "--up", "--to-light", "--frame-size", "--holes", "--methods", "--presets",
+                          "--decimate", "--law", "--size", "--samples", "--rounds", "--time",
+                          "--held-out", "--reference-seconds"},
+                         "nothing is measured with --from, expected one of the two");
+    if (is_study(options.subject))
+        expect_not_given(command,
+                         {"--material", "--diameter-mm", "--turn-degrees", "--up", "--to-light",
+                          "--frame-size", "--holes"},
+                         "is for a model; " + options.subject +
+                             " is a study, which says it itself");
+    if (options.measure.sweep.presets_only)
+        expect_not_given(command, {"--decimate"},
+                         "--presets measures no simplified mesh, expected one of the two");
+}
+
 void check(const Options& options, const std::vector<protocols::Scene>& scenes) {
-    if (const auto& up = options.look.up; !(std::hypot(up[0], up[1], up[2]) > 0))
-        throw CommandError(
-            fmt::format("--up {} {} {}: expected a direction, not all zero", up[0], up[1], up[2]));
+    expect_direction("--up", options.look.up);
+    if (options.to_light)
+        expect_direction("--to-light", *options.to_light);
     if (options.tolerance > 0 && options.budget_ms > 0)
         throw CommandError("--tolerance and --frame-budget: expected one of them");
     for (const auto& scene : scenes)
@@ -156,33 +186,29 @@ void check(const Options& options, const std::vector<protocols::Scene>& scenes) 
                             options.subject, scene.id.value));
 }
 
-/// Earlier runs in one report, chosen from again: what was measured of the old choices stays with
-/// them.
+/// Earlier runs in one report, chosen from again.
 cost::CostReport put_together(const Options& options) {
-    std::optional<cost::CostReport> whole;
-    for (const auto& file : options.earlier) {
-        auto report = value_or_stop(read_text_file(file).and_then(
-            [&](const auto& text) { return cost::parse_cost(text, file); }));
-        if (!whole)
-            whole = report;
-        else if (report.law != whole->law || report.timed_by != whole->timed_by)
-            throw CommandError(fmt::format("{}: law {}, timed by {}; expected {} and {} as in {}",
-                                           file, report.law, report.timed_by, whole->law,
-                                           whole->timed_by, options.earlier.front()));
-        else
-            whole->scenes.insert(whole->scenes.end(), report.scenes.begin(), report.scenes.end());
-    }
-    whole->wish = wish_of(options);
-    for (auto& scene : whole->scenes)
-        for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-            const auto before = std::exchange(scene.lights[i].choice, {});
-            scene.lights[i].choice = cost::choose(scene, i, whole->wish);
-            if (auto& choice = scene.lights[i].choice; choice && before &&
-                                                       before->row == choice->row &&
-                                                       before->predicted == choice->predicted)
-                choice->measured = before->measured;
-        }
-    return *whole;
+    std::vector<cost::EarlierRun> runs;
+    for (const auto& file : options.earlier)
+        runs.push_back({file, value_or_stop(read_text_file(file).and_then([&](const auto& text) {
+                            return cost::parse_cost(text, file);
+                        }))});
+    auto whole = value_or_stop(cost::together(runs));
+    cost::choose_again(whole, wish_of(options));
+    return whole;
+}
+
+/// What was measured takes long: a report is replaced by what was made from it, not by another.
+void keep_other_measurements(const Options& options, const fs::path& folder) {
+    const auto there = folder / "cost.json";
+    std::error_code ignored;
+    if (fs::exists(there, ignored) && std::ranges::none_of(options.earlier, [&](const auto& file) {
+            return fs::equivalent(file, there, ignored);
+        }))
+        throw CommandError(
+            fmt::format("{}: holds measurements that are in none of --from and would "
+                        "be lost; name another folder with --out",
+                        there.string()));
 }
 
 void tell(const Options& options, const fs::path& folder, const cost::CostReport& report) {
@@ -190,7 +216,8 @@ void tell(const Options& options, const fs::path& folder, const cost::CostReport
     options.voice.remark(value_or_stop(cost::write_cost(folder, report)).string());
 }
 
-void run(Options& options) {
+void run(Options& options, const CLI::App& command) {
+    refuse_what_changes_nothing(options, command);
     const auto loaded = is_study(options.subject) ? value_or_stop(read_study(options.subject))
                                                   : study_of_model(options);
     const auto scenes = chosen(loaded.study.scenes, options.scenes, options.subject, "scene");
@@ -198,16 +225,18 @@ void run(Options& options) {
         chosen(shown_variants(loaded.study), options.variants, options.subject, "variant");
     check(options, scenes);
     const auto folder = folder_for(options, loaded);
-    if (!options.earlier.empty())
+    if (!options.earlier.empty()) {
+        keep_other_measurements(options, folder);
         return tell(options, folder, put_together(options));
-    options.measure.law = law_for(options, loaded.study);
+    }
+    options.measure.sweep.law = law_for(options, loaded.study);
     options.measure.wish = wish_of(options);
     options.measure.truth.study =
         is_study(options.subject) ? loaded.folder : StudyFolder{folder / "study"};
     options.measure.truth.own = folder / "reference";
     // neither a folder that cannot be written nor a slip in the names should wait for the models
     make_folder(folder);
-    value_or_stop(cost::settings_of(options.measure.methods, options.measure.law, true));
+    value_or_stop(cost::settings_of(options.measure.sweep));
 
     const auto context = value_or_stop(renderer::gpu::Context::surfaceless());
     options.measure.by_processor =
@@ -217,7 +246,7 @@ void run(Options& options) {
                             .renderer = renderer::gpu::description(),
                             .written_on = session::local_date(session::SystemClock().wall()),
                             .subject = loaded.study.title,
-                            .law = options.measure.law,
+                            .law = options.measure.sweep.law,
                             .timed_by = options.measure.by_processor ? "processor" : "clock",
                             .rounds = options.measure.rounds,
                             .held_out_lights = options.measure.held_out_lights,
@@ -225,7 +254,7 @@ void run(Options& options) {
                             .scenes = {}};
     ProgressBar bar("cost", !options.voice.quiet);
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        auto model = value_or_stop(load_model(scenes[i].model, loaded.folder));
+        auto model = value_or_stop(load_model(scenes[i], loaded.folder));
         report.scenes.push_back(value_or_stop(cost::measure_scene(
             loaded.study, scenes[i], variants, std::move(model), options.measure,
             [&](const std::string&, double done) {
@@ -250,6 +279,7 @@ void add_model_options(CLI::App& command, const std::shared_ptr<Options>& option
                     "For a model: toward the light, x right, y up, z toward the viewer; without it "
                     "three lights, from behind, the front and the left")
         ->check(within(-1e9, 1e9));
+    add_holes(command, options->holes);
     command
         .add_option("--frame-size", options->frame_size,
                     "For a model: pixels along an edge of the frames that are timed")
@@ -259,8 +289,14 @@ void add_model_options(CLI::App& command, const std::shared_ptr<Options>& option
 
 void add_measuring_options(CLI::App& command, const std::shared_ptr<Options>& options) {
     auto& measure = options->measure;
-    command.add_option("--methods", measure.methods, "Methods to measure; without it, all");
-    command.add_flag("--presets", measure.presets_only, "Every method at its presets only");
+    command.add_option("--methods", measure.sweep.methods, "Methods to measure; without it, all");
+    command.add_flag("--presets", measure.sweep.presets_only, "Every method at its presets only");
+    command
+        .add_option("--decimate", measure.sweep.one_of,
+                    "Simplified meshes on which the presets are measured too: one of so many "
+                    "triangles is kept; 1: only the mesh as it is")
+        ->check(within(1, 1000))
+        ->capture_default_str();
     command
         .add_option("--law", options->law,
                     "Of attenuation; without it, that of the study's conditions")
@@ -328,7 +364,7 @@ void add_cost(CLI::App& program) {
                         "cost.json of earlier runs: put together and chosen from again; nothing is "
                         "measured");
     add_voice(*command, options->voice);
-    command->callback([options] { run(*options); });
+    command->callback([options, command] { run(*options, *command); });
 }
 
 } // namespace experiment::commands

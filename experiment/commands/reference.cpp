@@ -1,5 +1,6 @@
 // pairlight reference: a picture by following light, with its error; and the numbers of tables.
 #include "experiment/commands/commands.h"
+#include "experiment/commands/given_options.h"
 #include "experiment/commands/reference_energy.h"
 #include "experiment/commands/within.h"
 #include "experiment/models.h"
@@ -38,6 +39,7 @@ struct Options {
     // for a model without a study
     protocols::Scene look{.material = "marble"};
     std::array<double, 3> to_light{0, 0.3, -1};
+    renderer::geometry::Holes holes = renderer::geometry::Holes::Refuse;
     int size = 480;
 
     std::string boundary = "matched";
@@ -94,6 +96,7 @@ Subject model_subject(const Options& options) {
     Subject subject{{"."}, {}, options.look, {}};
     subject.study.width = subject.study.height = options.size;
     subject.scene.model = options.subject;
+    subject.scene.may_have_holes = options.holes == renderer::geometry::Holes::ByWinding;
     const auto& l = options.to_light;
     const auto unit = glm::normalize(glm::dvec3(l[0], l[1], l[2]));
     subject.variant.lights = {{.to_light = {unit.x, unit.y, unit.z}}};
@@ -112,18 +115,31 @@ void report(const Options& options,
         film.paths));
 }
 
-void run(Options& options) {
+void refuse_what_changes_nothing(const Options& options, const CLI::App& command) {
+    if (is_study(options.subject))
+        expect_not_given(command,
+                         {"--material", "--diameter-mm", "--turn-degrees", "--up", "--to-light",
+                          "--holes", "--size"},
+                         "is for a model; " + options.subject +
+                             " is a study, which says it itself");
+    else
+        expect_not_given(command, {"--scene", "--variant"},
+                         "is for a study; " + options.subject + " is a model");
+}
+
+void run(Options& options, const CLI::App& command) {
     if (options.subject.empty())
         throw CommandError("name a MODEL or a STUDY, or one of slab, half-space, sphere, furnace");
     if (options.out.empty())
         throw CommandError("say where the picture goes: --out FILE.exr");
     if (fs::path(options.out).extension() != ".exr")
         throw CommandError(fmt::format("{}: expected a name that ends in .exr", options.out));
+    refuse_what_changes_nothing(options, command);
     if (options.seconds > 0)
         options.rule.time_budget = std::chrono::duration<double>(options.seconds);
     const auto subject =
         is_study(options.subject) ? study_subject(options) : model_subject(options);
-    const auto model = value_or_stop(load_model(subject.scene.model, subject.folder));
+    const auto model = value_or_stop(load_model(subject.scene, subject.folder));
     for (const auto& remark : model.remarks)
         options.voice.remark(remark);
     const auto scene = value_or_stop(
@@ -170,6 +186,7 @@ void add_picture_options(CLI::App& command, const std::shared_ptr<Options>& opti
         .add_option("--to-light", options->to_light,
                     "For a model: toward the light, x right, y up, z toward the viewer")
         ->check(within(-1e9, 1e9));
+    add_holes(command, options->holes);
     command.add_option("--size", options->size, "For a model: pixels along an edge")
         ->check(within(8, 8192))
         ->capture_default_str();
@@ -214,7 +231,7 @@ void add_reference(CLI::App& program) {
     add_reference_energy(*command);
     command->callback([options, command] {
         if (command->get_subcommands().empty())
-            run(*options);
+            run(*options, *command);
     });
 }
 

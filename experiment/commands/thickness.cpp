@@ -1,5 +1,6 @@
 // pairlight thickness: how much material lies between a model's vertices and the light, as a table.
 #include "experiment/commands/commands.h"
+#include "experiment/commands/given_options.h"
 #include "experiment/commands/within.h"
 #include "experiment/directions_file.h"
 #include "experiment/models.h"
@@ -98,10 +99,7 @@ void add_thickness(CLI::App& program) {
         ->add_option("--mm-per-unit", options->mm_per_unit,
                      "Millimetres to a model unit; without it, model units")
         ->check(within(1e-9, 1e9));
-    command->add_option("--holes", options->holes, "What to do with a surface that is not closed")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, renderer::geometry::Holes>{
-            {"refuse", renderer::geometry::Holes::Refuse},
-            {"winding", renderer::geometry::Holes::ByWinding}}));
+    add_holes(*command, options->holes);
     command->add_option("--csv", options->csv, "The file to write; without it, standard output");
     add_voice(*command, options->voice);
     command->callback([options] {

@@ -20,16 +20,17 @@ namespace {
 std::vector<Candidate> candidates(const SceneCost& scene, std::size_t light, ErrorKind kind) {
     std::vector<Candidate> all;
     for (const auto& row : scene.rows)
-        all.push_back({row.frame_ms, error_of(row, light, kind), row.bytes_per_vertex,
+        all.push_back({row.frame_ms, error_of(row, light, kind), bytes_in_all(row),
                        row.precompute_seconds.value_or(0)});
     return all;
 }
 
 std::string cost_in_words(const Row& row) {
-    return fmt::format(
-        "{:.3g} ms a frame, {} bytes a vertex{}", row.frame_ms.median, row.bytes_per_vertex,
-        row.precompute_seconds ? fmt::format(", {:.2g} s beforehand", *row.precompute_seconds)
-                               : "");
+    return fmt::format("{:.3g} ms a frame, {} bytes at each of {} vertices{}", row.frame_ms.median,
+                       row.bytes_per_vertex, row.vertices,
+                       row.precompute_seconds
+                           ? fmt::format(", {:.2g} s beforehand", *row.precompute_seconds)
+                           : "");
 }
 
 std::size_t within(const std::vector<Candidate>& all, double tolerance) {
@@ -73,9 +74,12 @@ std::string why(const SceneCost& scene,
 std::string exchange(const Row& now, const Row& other, double now_error, double other_error) {
     return fmt::format(
         "{}: error {} instead of {}, {:.2f} of the frame time, {} instead of {} bytes "
-        "a vertex",
+        "a vertex{}",
         full_name(other), as_percent(other_error), as_percent(now_error),
-        other.frame_ms.median / now.frame_ms.median, other.bytes_per_vertex, now.bytes_per_vertex);
+        other.frame_ms.median / now.frame_ms.median, other.bytes_per_vertex, now.bytes_per_vertex,
+        other.vertices == now.vertices
+            ? ""
+            : fmt::format(" at {} instead of {} vertices", other.vertices, now.vertices));
 }
 
 template <class Condition>

@@ -32,7 +32,7 @@ Setting setting_of(const Description& method, Dials changed, const std::string& 
         changed.insert_or_assign(methods::law_dial().name, law);
     auto dials = methods::complete_for(method.name, changed);
     EXPECTS(dials.has_value()); // a description knows its own dials: tests go through all of them
-    return {&method, std::move(*dials), fmt::format("{}", fmt::join(words, ", "))};
+    return {&method, std::move(*dials), fmt::format("{}", fmt::join(words, ", ")), 1};
 }
 
 tl::expected<std::vector<const Description*>, std::string>
@@ -54,17 +54,25 @@ named(const std::vector<std::string>& names) {
 
 } // namespace
 
-tl::expected<std::vector<Setting>, std::string>
-settings_of(const std::vector<std::string>& names, const std::string& law, bool presets_only) {
-    const auto found = named(names);
+std::string level_words(int one_of) {
+    return fmt::format("triangles 1/{}", one_of);
+}
+
+tl::expected<std::vector<Setting>, std::string> settings_of(const Sweep& sweep) {
+    const auto found = named(sweep.methods);
     if (!found)
         return tl::unexpected(found.error());
     std::vector<Setting> settings;
     for (const auto* method : *found) {
-        settings.push_back(setting_of(*method, {}, law));
-        if (!presets_only)
-            for (const auto& changed : method->sweep)
-                settings.push_back(setting_of(*method, changed, law));
+        const auto preset = setting_of(*method, {}, sweep.law);
+        settings.push_back(preset);
+        if (sweep.presets_only)
+            continue;
+        for (const auto& changed : method->sweep)
+            settings.push_back(setting_of(*method, changed, sweep.law));
+        for (const int one_of : sweep.one_of)
+            if (one_of > 1)
+                settings.push_back({preset.method, preset.dials, level_words(one_of), one_of});
     }
     return settings;
 }
@@ -81,6 +89,9 @@ Row row_of(const Contestant& contestant) {
             .label = setting.method->label,
             .dials = {},
             .setting = setting.words,
+            .vertices = contestant.vertices,
+            .triangles = contestant.triangles,
+            .mesh_bytes = contestant.mesh_bytes,
             .precompute_seconds = contestant.precompute_seconds,
             .lights = {}};
     for (const auto& [dial, value] : setting.dials)

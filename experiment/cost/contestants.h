@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include <functional>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,23 +15,35 @@
 
 namespace experiment::cost {
 
-/// A setting of a method; `dials` are complete.
+/// A setting of a method on the scene's mesh or a simplified one; `dials` are complete.
 struct Setting {
     const renderer::methods::Description* method = nullptr;
     renderer::methods::Dials dials;
     std::string words; ///< what is not preset
+    int one_of = 1;    ///< so many of the mesh's triangles is kept
 };
 
-/// The presets of every method named (all when none is) and its sweep, under one law.
+/// "triangles 1/4".
+std::string level_words(int one_of);
+
+/// Which settings are measured.
+struct Sweep {
+    std::vector<std::string> methods;    ///< by their names; empty: all
+    std::string law = "physical";        ///< of every method that has one
+    bool presets_only = false;           ///< nothing of what follows, nor of the methods' sweeps
+    std::vector<int> one_of = {2, 4, 8}; ///< triangles, one is kept: meshes beside the whole one
+};
+
+/// The presets of every method, its sweep, and its presets on every simplified mesh.
 /// Errors: a name that no method has, with the names there are.
-tl::expected<std::vector<Setting>, std::string>
-settings_of(const std::vector<std::string>& methods, const std::string& law, bool presets_only);
+tl::expected<std::vector<Setting>, std::string> settings_of(const Sweep& sweep);
 
 /// A setting made ready.
 struct Contestant {
     Setting setting;
     std::unique_ptr<renderer::methods::Method> method;
     std::optional<double> precompute_seconds;
+    std::size_t vertices = 0, triangles = 0, mesh_bytes = 0; ///< as in `Row`
 };
 
 /// The method of that name at its presets under that law, for comparison.

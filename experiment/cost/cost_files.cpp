@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using renderer::cost::Spread;
 
-constexpr int form_version = 1;
+constexpr int form_version = 2; // 2: every row has its own mesh
 
 std::string number(std::optional<double> value) {
     return value && !std::isnan(*value) ? fmt::format("{:.6g}", *value) : "";
@@ -104,6 +104,9 @@ Json as_json(const Row& row) {
               {"label", row.label},
               {"setting", row.setting},
               {"dials", row.dials},
+              {"vertices", row.vertices},
+              {"triangles", row.triangles},
+              {"mesh_bytes", row.mesh_bytes},
               {"bytes_per_vertex", row.bytes_per_vertex},
               {"bytes_per_light", row.bytes_per_light},
               {"frame_ms", as_json(row.frame_ms)},
@@ -123,6 +126,9 @@ Row row_of(const Json& json) {
             .label = json.at("label"),
             .dials = json.at("dials"),
             .setting = json.at("setting"),
+            .vertices = count<std::size_t>(json, "vertices"),
+            .triangles = count<std::size_t>(json, "triangles"),
+            .mesh_bytes = count<std::size_t>(json, "mesh_bytes"),
             .precompute_seconds = amount(json, "precompute_seconds"),
             .bytes_per_vertex = count<std::size_t>(json, "bytes_per_vertex"),
             .bytes_per_light = count<std::size_t>(json, "bytes_per_light"),
@@ -248,6 +254,9 @@ csv_fields(const SceneCost& scene, std::size_t i, std::size_t r, const CostRepor
             number(row.precompute_seconds),
             std::to_string(row.bytes_per_vertex),
             std::to_string(row.bytes_per_light),
+            std::to_string(row.vertices),
+            std::to_string(row.triangles),
+            std::to_string(row.mesh_bytes),
             number(row.frame_ms.median),
             number(row.frame_ms.lower),
             number(row.frame_ms.upper),
@@ -276,16 +285,16 @@ csv_fields(const SceneCost& scene, std::size_t i, std::size_t r, const CostRepor
 } // namespace
 
 std::string cost_csv(const CostReport& report) {
-    auto text = csv_row({"scene",           "variant",          "method",
-                         "setting",         "precompute_s",     "bytes_per_vertex",
-                         "bytes_per_light", "frame_ms",         "frame_ms_lower",
-                         "frame_ms_upper",  "resting_ms",       "to_phong",
-                         "to_phong_lower",  "to_phong_upper",   "clock_ms",
-                         "thickness_error", "law_error",        "reference_error",
-                         "fitted_error",    "as_drawn_error",   "ldr_flip",
-                         "noise_floor",     "front_thickness",  "front_law",
-                         "front_reference", "front_fitted",     "chosen_by",
-                         "decision",        "predicted_change", "measured_change"});
+    auto text =
+        csv_row({"scene",           "variant",          "method",          "setting",
+                 "precompute_s",    "bytes_per_vertex", "bytes_per_light", "vertices",
+                 "triangles",       "mesh_bytes",       "frame_ms",        "frame_ms_lower",
+                 "frame_ms_upper",  "resting_ms",       "to_phong",        "to_phong_lower",
+                 "to_phong_upper",  "clock_ms",         "thickness_error", "law_error",
+                 "reference_error", "fitted_error",     "as_drawn_error",  "ldr_flip",
+                 "noise_floor",     "front_thickness",  "front_law",       "front_reference",
+                 "front_fitted",    "chosen_by",        "decision",        "predicted_change",
+                 "measured_change"});
     for (const auto& scene : report.scenes)
         for (std::size_t i = 0; i < scene.lights.size(); ++i)
             for (std::size_t r = 0; r < scene.rows.size(); ++r)

@@ -87,7 +87,7 @@ std::string shown(double error) {
 std::vector<std::vector<std::string>> setting_cells(const SceneCost& scene,
                                                     const std::vector<std::size_t>& rows) {
     std::vector<std::vector<std::string>> cells{{"setting", "beforehand, s", "bytes a vertex",
-                                                 "ms a frame (quartiles)", "to Phong",
+                                                 "vertices", "ms a frame (quartiles)", "to Phong",
                                                  "thickness"}};
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
         for (const auto kind : {ErrorKind::Law, ErrorKind::Reference, ErrorKind::Fitted})
@@ -101,6 +101,7 @@ std::vector<std::vector<std::string>> setting_cells(const SceneCost& scene,
             row.precompute_seconds ? fmt::format("{:.2g}", *row.precompute_seconds)
                                    : std::string(report::no_number),
             std::to_string(row.bytes_per_vertex),
+            std::to_string(row.vertices),
             fmt::format("{:.3g} ({:.3g}\u2013{:.3g})", row.frame_ms.median, row.frame_ms.lower,
                         row.frame_ms.upper),
             fmt::format("{:.3g}", row.to_bare.median),

@@ -35,6 +35,10 @@ double error_of(const Row& row, std::size_t light, ErrorKind kind) {
     return error.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
+std::size_t bytes_in_all(const Row& row) {
+    return row.mesh_bytes + row.vertices * row.bytes_per_vertex;
+}
+
 std::string full_name(const Row& row) {
     return row.setting.empty() ? row.label : row.label + ", " + row.setting;
 }

@@ -17,7 +17,7 @@ namespace experiment::cost {
 /// mean square of the truth, over the object's pixels.
 enum class ErrorKind {
     Thickness, ///< thickness against traced thickness, under lights that nobody was made for
-    Law,       ///< picture against the same law with traced thickness
+    Law,       ///< picture against the same law with traced thickness; both of the whole mesh
     Reference, ///< picture against the path-traced one, at equal brightness
     Fitted ///< the same with the coefficients k that suit the method best (docs/fair-parameters.md)
 };
@@ -45,6 +45,8 @@ struct Row {
     std::string method, label;                ///< its name, and as people read it
     std::map<std::string, std::string> dials; ///< all of them
     std::string setting;                      ///< what is not preset: "bands 3, coefficients int8"
+    std::size_t vertices = 0, triangles = 0;  ///< of the mesh that is drawn
+    std::size_t mesh_bytes = 0;               ///< its positions, normals and triangles
     std::optional<double> precompute_seconds; ///< alone, on all cores
     std::size_t bytes_per_vertex = 0;
     std::size_t bytes_per_light = 0;
@@ -109,6 +111,9 @@ struct CostReport {
 
 /// Of a row under a light; NaN where there is none.
 double error_of(const Row& row, std::size_t light, ErrorKind kind);
+
+/// What is kept to draw it: the mesh, and what the method has at its vertices.
+std::size_t bytes_in_all(const Row& row);
 
 /// "SHSS, bands 3" or "SHSS" for the presets.
 std::string full_name(const Row& row);

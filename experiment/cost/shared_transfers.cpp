@@ -1,7 +1,6 @@
 // Computed for whoever asks first; what it took is kept, to charge the others with.
 #include "experiment/cost/shared_transfers.h"
 
-#include <algorithm>
 #include <chrono>
 
 namespace experiment::cost {
@@ -9,13 +8,25 @@ namespace experiment::cost {
 namespace transfer = renderer::transfer;
 using Clock = std::chrono::steady_clock;
 
+namespace {
+
+bool serves(const transfer::TransferOptions& has, transfer::TransferOptions asked) {
+    const bool enough = has.bands >= asked.bands;
+    asked.bands = has.bands;
+    return enough && has == asked;
+}
+
+} // namespace
+
 tl::expected<SharedTransfers::Field, std::string>
 SharedTransfers::field(const transfer::TransferOptions& options) {
-    if (const auto found = std::ranges::find(computed_, options, &Computed::options);
-        found != computed_.end()) {
-        saved_ += found->seconds;
-        return found->field;
-    }
+    for (const auto& [has, field, seconds] : computed_)
+        if (serves(has, options)) {
+            saved_ += seconds;
+            return has.bands == options.bands ? field
+                                              : std::make_shared<const transfer::TransferField>(
+                                                    transfer::first_bands(*field, options.bands));
+        }
     const auto start = Clock::now();
     auto field = transfer::compute_transfer_field(mesh_, medium_, mm_per_unit_, options);
     if (!field)

@@ -1,5 +1,5 @@
-// Transfer fields of one model, computed once for every setting that asks for the same, and what
-// each setting alone would have spent on them.
+// Transfer fields of one model, computed once for every setting that asks for as many bands or
+// fewer, and what they took.
 #pragma once
 
 #include "renderer/geometry/mesh.h"
@@ -28,7 +28,8 @@ class SharedTransfers {
     /// Errors: those of `compute_transfer_field`.
     tl::expected<Field, std::string> field(const renderer::transfer::TransferOptions& options);
 
-    /// Seconds that whoever asked since the last call did not spend, because others had before.
+    /// Seconds that whoever asked since the last call did not spend, because others had before:
+    /// what the field took that served them, which is somewhat more than fewer bands alone take.
     double seconds_saved() { return std::exchange(saved_, 0); }
 
   private:

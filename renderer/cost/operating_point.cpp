@@ -47,7 +47,7 @@ std::optional<OperatingPoint> within_tolerance(std::span<const Candidate> candid
         those(good, [&](auto i) { return candidates[i].frame.lower <= fastest.frame.upper; });
     const auto chosen = least(as_fast, [&](auto i) {
         const auto& c = candidates[i];
-        return std::tuple(c.bytes_per_vertex, c.precompute_seconds, c.error, c.frame.median);
+        return std::tuple(c.bytes, c.precompute_seconds, c.error, c.frame.median);
     });
     std::erase(as_fast, chosen);
     return OperatingPoint{chosen, Rule::GoodEnough, std::move(as_fast)};
@@ -65,7 +65,7 @@ std::optional<OperatingPoint> within_budget(std::span<const Candidate> candidate
     return OperatingPoint{least(fast,
                                 [&](auto i) {
                                     const auto& c = candidates[i];
-                                    return std::tuple(c.error, c.frame.median, c.bytes_per_vertex);
+                                    return std::tuple(c.error, c.frame.median, c.bytes);
                                 }),
                           Rule::FastEnough,
                           {}};

@@ -13,9 +13,9 @@ namespace renderer::cost {
 
 /// A setting as far as the choice is concerned.
 struct Candidate {
-    Spread frame;     ///< of a frame, any unit
-    double error = 0; ///< NaN: not known, never chosen
-    std::size_t bytes_per_vertex = 0;
+    Spread frame;          ///< of a frame, any unit
+    double error = 0;      ///< NaN: not known, never chosen
+    std::size_t bytes = 0; ///< in all
     double precompute_seconds = 0;
 };
 

@@ -4,9 +4,10 @@
 #include "renderer/contract.h"
 #include "renderer/methods/picture.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace renderer::cost {
 
@@ -59,7 +60,23 @@ double relative_rms(std::span<const double> test, std::span<const double> truth)
     return std::sqrt(difference / squares);
 }
 
-Expected<std::vector<double>>
+Expected<double> relative_error(const imaging::LinearImage& test,
+                                const imaging::LinearImage& truth,
+                                std::span<const std::size_t> mask) {
+    const auto unknown = std::ranges::count_if(mask, [&](std::size_t i) {
+        const auto& p = test.pixels.at(i);
+        return !std::isfinite(p.r) || !std::isfinite(p.g) || !std::isfinite(p.b);
+    });
+    if (unknown > 0)
+        return tl::make_unexpected(
+            fmt::format("{} of {} pixels are no number", unknown, mask.size()));
+    const double error = relative_rms(test, truth, mask);
+    if (std::isnan(error))
+        return tl::make_unexpected("the picture that it is measured by is black, or no number");
+    return error;
+}
+
+Expected<std::vector<std::optional<double>>>
 seen_thickness(methods::Method& method, methods::Law law, Scene scene, int width, int height) {
     const int c = law == methods::Law::Paper ? 1 : clearest_channel(scene.material.medium);
     if (c < 0)
@@ -73,12 +90,13 @@ seen_thickness(methods::Method& method, methods::Law law, Scene scene, int width
     const auto picture = methods::render_picture(method, scene, width, height, 1);
     if (!picture)
         return tl::make_unexpected(picture.error());
-    std::vector<double> thickness(picture->pixels.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<std::optional<double>> thickness(picture->pixels.size());
     for (std::size_t i = 0; i < thickness.size(); ++i)
         if (picture->coverage[i] == 1.0F) {
             const double left = channel(picture->pixels[i], c);
-            thickness[i] =
-                law == methods::Law::Paper ? 1 - left : -std::log(std::max(left, 1e-300));
+            thickness[i] = law == methods::Law::Paper // a NaN stays one: it is not below 1e-300
+                               ? 1 - left
+                               : -std::log(left < 1e-300 ? 1e-300 : left);
         }
     return thickness;
 }

@@ -8,6 +8,7 @@
 #include "renderer/scene.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,13 +25,19 @@ double relative_rms(const imaging::LinearImage& test,
 /// The same of single numbers.
 double relative_rms(std::span<const double> test, std::span<const double> truth);
 
-/// Thickness toward the light at every pixel that the body covers, row by row, else NaN: the
-/// picture of the scattered light alone, through the inverse of the law.  In units of 1/sigma_tr of
-/// the clearest channel (physical law), or of D_n (the paper's, where it ends at 1).
-/// `method` scatters by thickness (methods::Description).
-/// Errors: those of `render_picture`; a medium that absorbs nothing under the physical law, for
-/// then no picture tells a thickness.
-Expected<std::vector<double>>
+/// The same, where it is a number.
+/// Errors: pixels that are none, and how many; a truth that is black.
+Expected<double> relative_error(const imaging::LinearImage& test,
+                                const imaging::LinearImage& truth,
+                                std::span<const std::size_t> mask);
+
+/// Thickness toward the light at every pixel that the body covers, row by row, else nothing: the
+/// picture of the scattered light alone, through the inverse of the law.  NaN where the picture is.
+/// In units of 1/sigma_tr of the clearest channel (physical law), or of D_n (the paper's, where it
+/// ends at 1). `method` scatters by thickness (methods::Description). Errors: those of
+/// `render_picture`; a medium that absorbs nothing under the physical law, for then no picture
+/// tells a thickness.
+Expected<std::vector<std::optional<double>>>
 seen_thickness(methods::Method& method, methods::Law law, Scene scene, int width, int height);
 
 } // namespace renderer::cost

@@ -1,4 +1,4 @@
-// Reads OFF, the Object File Format of Geomview.
+// Reads and writes OFF, the Object File Format of Geomview.
 #include "renderer/geometry/off_file.h"
 
 #include "renderer/geometry/mesh_building.h"
@@ -124,6 +124,15 @@ class OffReader {
 
 Expected<Mesh> read_off(std::string_view text, std::string_view name) {
     return OffReader(text, name).read();
+}
+
+std::string off_text(const Mesh& mesh) {
+    auto text = fmt::format("OFF\n{} {} 0\n", mesh.positions.size(), mesh.triangles.size());
+    for (const auto& p : mesh.positions)
+        text += fmt::format("{} {} {}\n", p.x, p.y, p.z);
+    for (const auto& [a, b, c] : mesh.triangles)
+        text += fmt::format("3 {} {} {}\n", a, b, c);
+    return text;
 }
 
 } // namespace renderer::geometry

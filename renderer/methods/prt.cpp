@@ -268,8 +268,7 @@ std::optional<DialProblem> refuse_dials(const Dials& dials) {
 }
 
 std::vector<Dials> settings_worth_measuring() {
-    // every number of bands is a transfer to be computed, half a minute for a scan: two will do
-    auto settings = one_at_a_time({{"bands", {3}}, {"vectors", {4, 8}}});
+    auto settings = one_at_a_time({{"bands", {1, 2, 3, 4, 6}}, {"vectors", {4, 8}}});
     for (const auto& shared : one_at_a_time({{"clusters", {64}}}, {{"vectors", 4}}))
         settings.push_back(shared);
     return settings;

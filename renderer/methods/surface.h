@@ -30,6 +30,9 @@ class Surface {
 
     std::size_t vertex_count() const { return vertex_count_; }
 
+    /// Of positions, normals and triangles.
+    std::size_t bytes() const { return positions_.bytes() + normals_.bytes() + triangles_.bytes(); }
+
   private:
     explicit Surface(const geometry::Mesh& mesh);
 

@@ -152,6 +152,22 @@ Expected<TransferField> compute_transfer_field(const geometry::Mesh& mesh,
     return field;
 }
 
+TransferField first_bands(const TransferField& field, int bands) {
+    EXPECTS(bands >= 1 && bands <= field.bands);
+    TransferField fewer{.bands = bands,
+                        .transfer = {},
+                        .samples = field.samples,
+                        .undersampled = field.undersampled};
+    const auto n = static_cast<std::size_t>(harmonics::coefficient_count(bands));
+    const auto all = static_cast<std::size_t>(harmonics::coefficient_count(field.bands));
+    fewer.transfer.reserve(field.transfer.size() / all * n);
+    for (auto vector = field.transfer.begin(); vector != field.transfer.end();
+         vector += static_cast<std::ptrdiff_t>(all))
+        fewer.transfer.insert(fewer.transfer.end(), vector,
+                              vector + static_cast<std::ptrdiff_t>(n));
+    return fewer;
+}
+
 glm::dvec3 exit_radiance(const TransferField& field, std::size_t v, std::span<const double> light) {
     const auto n = static_cast<std::size_t>(harmonics::coefficient_count(field.bands));
     EXPECTS(light.size() == n && (v + 1) * 3 * n <= field.transfer.size());

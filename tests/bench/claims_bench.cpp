@@ -7,7 +7,7 @@
 #include "experiment/report/gnuplot.h"
 #include "experiment/text_files.h"
 #include "renderer/cost/frame_times.h"
-#include "renderer/cost/picture_error.h"
+#include "renderer/cost/held_out_thickness.h"
 #include "renderer/cost/quantiles.h"
 #include "renderer/geometry/bodies.h"
 #include "renderer/gpu/context.h"
@@ -101,9 +101,11 @@ void concave_bodies() {
     bodies.push_back({"torus", geometry::torus(2, 1, 128, 64)});
     bodies.push_back({"shell, cavity half as wide", geometry::shell(1, 0.5, 4)});
     for (const auto& body : bodies) {
-        auto scene = scene_of(body.mesh, size, size);
+        const auto scene = scene_of(body.mesh, size, size);
         const Workbench workbench(body.mesh, scene, 1024);
         const auto exact = workbench.prepare("traced", {});
+        const auto held_out = value_or_throw(cost::HeldOutThickness::prepare(
+            *exact, methods::Law::Physical, scene, size, size, 8, 2));
         fmt::print("| {} |", body.name);
         const std::vector<std::pair<std::string, methods::Dials>> rivals{
             {"shss", {{"bands", std::int64_t{2}}}},
@@ -113,20 +115,7 @@ void concave_bodies() {
             {"green-peel", {{"layers", std::int64_t{6}}}}};
         for (const auto& [name, dials] : rivals) {
             const auto method = workbench.prepare(name, dials);
-            std::vector<double> seen, truth;
-            for (const auto& direction : harmonics::fibonacci_directions(8, 2).directions) {
-                scene.lights.front().place = DirectionalLight{direction};
-                const auto a = value_or_throw(
-                    cost::seen_thickness(*method, methods::Law::Physical, scene, size, size));
-                const auto b = value_or_throw(
-                    cost::seen_thickness(*exact, methods::Law::Physical, scene, size, size));
-                for (std::size_t i = 0; i < a.size(); ++i)
-                    if (!std::isnan(a[i]) && !std::isnan(b[i])) {
-                        seen.push_back(a[i]);
-                        truth.push_back(b[i]);
-                    }
-            }
-            fmt::print(" {:.1f} % |", 100 * cost::relative_rms(seen, truth));
+            fmt::print(" {:.1f} % |", 100 * value_or_throw(held_out.error_of(*method)));
         }
         fmt::print("\n");
         std::fflush(stdout); // a run that is cut short leaves what it has

@@ -1,8 +1,8 @@
 // pairlight cost, from outside, on a ring of 512 vertices.
 #include "renderer/geometry/bodies.h"
+#include "renderer/geometry/off_file.h"
 #include "tests/end_to_end/program.h"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -47,16 +47,8 @@ class CostCommand : public testing::Test {
   protected:
     void SetUp() override {
         write_file(folder_ / "study.toml", study_text);
-        write_file(folder_ / "ring.off", off_text(renderer::geometry::torus(0.7, 0.3, 32, 16)));
-    }
-
-    static std::string off_text(const renderer::geometry::Mesh& mesh) {
-        auto text = fmt::format("OFF\n{} {} 0\n", mesh.positions.size(), mesh.triangles.size());
-        for (const auto& p : mesh.positions)
-            text += fmt::format("{} {} {}\n", p.x, p.y, p.z);
-        for (const auto& t : mesh.triangles)
-            text += fmt::format("3 {} {} {}\n", t[0], t[1], t[2]);
-        return text;
+        write_file(folder_ / "ring.off",
+                   renderer::geometry::off_text(renderer::geometry::torus(0.7, 0.3, 32, 16)));
     }
 
     Outcome cost(std::vector<std::string> more) const {
@@ -64,6 +56,11 @@ class CostCommand : public testing::Test {
                                          "48"};
         command.insert(command.end(), more.begin(), more.end());
         return pairlight(command);
+    }
+
+    Outcome cost_from(const std::string& file, std::vector<std::string> more) const {
+        more.insert(more.begin(), {"cost", folder_.path().string(), "--from", file});
+        return pairlight(more);
     }
 
     json report() const { return json::parse(read_file(folder_ / "cost/cost.json")); }
@@ -101,6 +98,20 @@ TEST_F(CostCommand, MeasuresComparesChoosesAndWrites) {
     EXPECT_FALSE(row(scene, "phong", "")["lights"][0].contains("law"));
     EXPECT_GT(row(scene, "phong", "")["lights"][0]["fitted"].get<double>(), 0);
     EXPECT_GT(scene["lights"][0]["noise_floor"].get<double>(), 0);
+    // half of the ring: fewer vertices, and another surface than the one it is measured by
+    const auto& half = row(scene, "traced", "triangles 1/2");
+    EXPECT_EQ(scene["triangles"], 1024);
+    EXPECT_EQ(half["triangles"], 512);
+    EXPECT_EQ(half["vertices"], 256);
+    EXPECT_LT(half["mesh_bytes"].get<int>(), row(scene, "traced", "")["mesh_bytes"].get<int>());
+    for (const double error :
+         {half["thickness"].get<double>(), half["lights"][0]["law"].get<double>()}) {
+        EXPECT_GT(error, 0);
+        EXPECT_LT(error, 0.5);
+    }
+    EXPECT_GT(row(scene, "phong", "triangles 1/8")["lights"][0]["fitted"].get<double>(), 0);
+    EXPECT_THAT(read_file(folder_ / "cost/cost.csv"), HasSubstr("torus,back,shss,triangles 1/4,"));
+    EXPECT_THAT(read_file(folder_ / "cost/cost.html"), HasSubstr("SHSS, triangles 1/4"));
     const auto& choice = scene["lights"][0]["choice"];
     EXPECT_LE(choice["predicted"].get<double>(), 0.2);
     EXPECT_LE(choice["measured"].get<double>(), 0.3);
@@ -108,12 +119,45 @@ TEST_F(CostCommand, MeasuresComparesChoosesAndWrites) {
     EXPECT_THAT(done.out, HasSubstr("Left out: "));
 
     // chosen from again: the most exact there is, and nothing measured anew
-    const auto again = cost({"--from", (folder_ / "cost/cost.json").string(), "--tolerance",
-                             "0.000001", "--out", (folder_ / "again").string()});
+    const auto first = (folder_ / "cost/cost.json").string();
+    const auto again =
+        cost_from(first, {"--tolerance", "0.000001", "--out", (folder_ / "again").string()});
     ASSERT_EQ(again.status, 0) << again.err;
     const auto other = json::parse(read_file(folder_ / "again/cost.json"))["scenes"][0];
     EXPECT_EQ(other["rows"], scene["rows"]);
     EXPECT_EQ(other["lights"][0]["choice"]["setting"], "Traced thickness");
+
+    const auto refused = [&](std::vector<std::string> words, const std::string& why) {
+        const auto outcome = cost_from(first, std::move(words));
+        EXPECT_NE(outcome.status, 0) << why;
+        EXPECT_THAT(outcome.err, HasSubstr(why));
+    };
+    refused({"--from", first}, "is in an earlier --from already");
+    refused({"--rounds", "3"}, "--rounds: nothing is measured with --from");
+    refused({"--scene", "torus"}, "--scene: nothing is measured with --from");
+    // another report than the one it is made from is not replaced
+    fs::create_directories(folder_ / "other");
+    fs::copy_file(first, folder_ / "other/cost.json");
+    refused({"--out", (folder_ / "other").string()}, "would be lost");
+    EXPECT_EQ(cost_from(first, {"--tolerance", "0.3"}).status, 0); // its own is
+}
+
+// An open ring: inside is where the surface winds more than half around, if a scene says so.
+TEST_F(CostCommand, TakesAModelWithHolesWhereItIsToldTo) {
+    auto ring = renderer::geometry::torus(0.7, 0.3, 32, 16);
+    ring.triangles.pop_back();
+    const auto file = (folder_ / "open.off").string();
+    write_file(file, renderer::geometry::off_text(ring));
+    const std::vector<std::string> command{
+        "cost",   file, "--methods",           "phong", "--rounds",   "1",
+        "--size", "32", "--frame-size",        "32",    "--to-light", "0",
+        "0.3",    "-1", "--reference-seconds", "0",     "--out",      (folder_ / "open").string()};
+    EXPECT_THAT(pairlight(command).err, HasSubstr("boundary edges"));
+    auto told = command;
+    told.insert(told.end(), {"--holes", "winding"});
+    const auto done = pairlight(told);
+    EXPECT_EQ(done.status, 0) << done.err;
+    EXPECT_THAT(done.out, HasSubstr("triangles 1/2: not measured: only a closed manifold"));
 }
 
 TEST_F(CostCommand, UsesAPathTracedPictureThatIsThere) {
@@ -145,6 +189,14 @@ TEST_F(CostCommand, SaysWhatCannotBe) {
              {"--methods", "shs"}, {"--scene", "cube"}, {"--error", "speed"}, {"--rounds", "0"}})
         EXPECT_NE(cost(words).status, 0) << words[0];
     EXPECT_NE(pairlight({"cost", "no-such-model"}).status, 0);
+    EXPECT_THAT(pairlight({"cost", ""}).err, HasSubstr("expected a study's folder or file, or a"));
+    EXPECT_THAT(pairlight({"cost", "torus", "--to-light", "0", "0", "0"}).err,
+                HasSubstr("--to-light 0 0 0: expected a direction"));
+    EXPECT_THAT(cost({"--material", "skin1"}).err, HasSubstr("--material: is for a model; "));
+    EXPECT_THAT(cost({"--holes", "winding"}).err, HasSubstr("--holes: is for a model; "));
+    EXPECT_THAT(cost({"--presets", "--decimate", "2"}).err,
+                HasSubstr("--decimate: --presets measures no simplified mesh"));
+    EXPECT_NE(cost({"--decimate", "0"}).status, 0);
 }
 
 // Reckoned beforehand and measured afterwards, on a smooth body: within a fifth of each other.

@@ -96,6 +96,8 @@ TEST(ReferenceCommand, SaysWhatCannotBe) {
     EXPECT_THAT(pairlight(polished).err, HasSubstr("expected at least 2 degrees"));
     EXPECT_THAT(pairlight({"reference", "torus"}).err, HasSubstr("--out"));
     EXPECT_NE(pairlight({"reference", "slab", "--albedo", "1.5"}).status, 0);
+    EXPECT_THAT(pairlight({"reference", "torus", "--scene", "x", "--out", "x.exr"}).err,
+                HasSubstr("--scene: is for a study; torus is a model"));
     EXPECT_FALSE(fs::exists(folder / "a.exr"));
 }
 

@@ -334,4 +334,12 @@ TEST(ReadMesh, SaysWhyAFileCannotBeRead) {
     std::filesystem::remove(folder);
 }
 
+TEST(OffFile, IsWrittenWithEveryDigit) {
+    const Mesh mesh{{{0.1, 1.0 / 3, -0.0}, {1e-300, 2e17, 3}, {4, 5, 6}}, {{0, 1, 2}, {2, 1, 0}}};
+    const auto again = read_off(off_text(mesh), "a.off");
+    ASSERT_TRUE(again) << again.error();
+    EXPECT_EQ(again->positions, mesh.positions);
+    EXPECT_EQ(again->triangles, mesh.triangles);
+}
+
 } // namespace
