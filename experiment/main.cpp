@@ -1,4 +1,5 @@
 // The program's table of contents.
+#include "experiment/commands/command.h"
 #include "experiment/commands/commands.h"
 
 #include <CLI/CLI.hpp>
@@ -48,6 +49,7 @@ int main(int argc, char** argv) {
         // clang-format on
         add(program);
     try {
+        commands::expect_command(program, {argv, static_cast<std::size_t>(argc)});
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return program.exit(error);

@@ -56,6 +56,19 @@ Expected<Table> read_document(std::string_view text, std::string_view file_name)
     }
 }
 
+namespace {
+
+// As much of a list as a message has room for.
+std::string shown_list(const List& list) {
+    constexpr std::size_t most = 4;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(list.size(), most); ++i)
+        text += (i > 0 ? ", " : "") + shown(list[i]);
+    return fmt::format("[{}{}]", text, list.size() > most ? ", ..." : "");
+}
+
+} // namespace
+
 std::string shown(const Node& node) {
     if (const auto* text = std::get_if<std::string>(&node.value))
         return fmt::format("\"{}\"", *text);
@@ -65,8 +78,8 @@ std::string shown(const Node& node) {
         return fmt::format("{}", *number);
     if (const auto* truth = std::get_if<bool>(&node.value))
         return *truth ? "true" : "false";
-    if (std::holds_alternative<List>(node.value))
-        return "a list";
+    if (const auto* list = std::get_if<List>(&node.value))
+        return shown_list(*list);
     return std::holds_alternative<Table>(node.value) ? "a table" : "a date or time";
 }
 

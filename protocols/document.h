@@ -42,7 +42,8 @@ using Table = std::vector<Entry>;
 /// The text's outermost table.  Errors: "<file_name>:<line>: not TOML: <what>".
 Expected<Table> read_document(std::string_view text, std::string_view file_name);
 
-/// As a person would write it in a message: "text", 4, 0.5, true, a list, a table.
+/// As a person would write it in a message: "text", 4, 0.5, true, ["a", "b"] (the first four of a
+/// longer list), a table.
 std::string shown(const Node& node);
 
 } // namespace protocols

@@ -108,12 +108,42 @@ std::optional<ConditionPair> read_pair(Section& section, const char* key) {
     return std::nullopt;
 }
 
+// What is written and would change nothing was meant to change something.
+void read_practice(Section& section, SessionPlan& plan) {
+    section.whole("training", {0, 100}, plan.training);
+    plan.easy_pair = read_pair(section, "easy_pair");
+    plan.hard_pair = read_pair(section, "hard_pair");
+    for (const auto* key : {"easy_pair", "hard_pair"})
+        if (section.has(key) && plan.training == 0)
+            section.refuse(key, "no such key, or training = 1 or more: with training = 0, nothing "
+                                "is practised");
+    if (plan.easy_pair && plan.hard_pair &&
+        std::is_permutation(plan.easy_pair->begin(), plan.easy_pair->end(),
+                            plan.hard_pair->begin()))
+        section.refuse("hard_pair", "another pair than easy_pair: the same two cannot differ both "
+                                    "most and least");
+}
+
+void read_deadline(Section& section, SessionPlan& plan) {
+    section.whole("deadline_s", {0, 600}, plan.deadline_s);
+    if (plan.deadline_s > 0 && 1000 * plan.deadline_s <= plan.closed_ms)
+        section.note("deadline_s",
+                     fmt::format("deadline_s in [session] is {} s, which is over before an answer "
+                                 "counts (closed_ms = {}), expected more, or 0 for none",
+                                 plan.deadline_s, plan.closed_ms));
+    plan.after_deadline = read_word<AfterDeadline>(
+        section, "after_deadline",
+        {{"again", AfterDeadline::Again}, {"missing", AfterDeadline::Missing}});
+    if (section.has("after_deadline") && !section.has("deadline_s"))
+        section.refuse("after_deadline", "a 'deadline_s' beside it, or neither: without one, an "
+                                         "answer is waited for as long as it takes");
+}
+
 SessionPlan read_plan(Section section) {
     SessionPlan plan;
     section.whole("sessions", {1, 100}, plan.sessions);
     section.whole("days_apart", {0, 365}, plan.days_apart);
     section.whole("warm_ups", {0, 100}, plan.warm_ups);
-    section.whole("training", {0, 100}, plan.training);
     section.whole("repetitions", {1, 100}, plan.repetitions);
     section.whole("grey_ms", {0, 60000}, plan.grey_ms);
     section.whole("closed_ms", {0, 10000}, plan.closed_ms);
@@ -123,15 +153,7 @@ SessionPlan read_plan(Section section) {
     section.whole("view_ms", {0, 600000}, plan.view_ms);
     section.whole("between_ms", {0, 60000}, plan.between_ms);
     section.whole("longest_minutes", {0, 600}, plan.longest_minutes);
-    section.whole("deadline_s", {0, 600}, plan.deadline_s);
-    if (plan.deadline_s > 0 && 1000 * plan.deadline_s <= plan.closed_ms)
-        section.note("deadline_s",
-                     fmt::format("{} s, which is over before an answer counts (closed_ms = {}), "
-                                 "expected more, or 0 for none",
-                                 plan.deadline_s, plan.closed_ms));
-    plan.after_deadline = read_word<AfterDeadline>(
-        section, "after_deadline",
-        {{"again", AfterDeadline::Again}, {"missing", AfterDeadline::Missing}});
+    read_deadline(section, plan);
     plan.response = read_word<Response>(section, "response",
                                         {{"forced-choice", Response::ForcedChoice},
                                          {"not-sure", Response::WithNotSure},
@@ -145,8 +167,7 @@ SessionPlan read_plan(Section section) {
                                      "expected how long each of them is seen");
     if (const auto reference = section.text("reference", ""); !reference.empty())
         plan.reference = ConditionId{reference};
-    plan.easy_pair = read_pair(section, "easy_pair");
-    plan.hard_pair = read_pair(section, "hard_pair");
+    read_practice(section, plan);
     section.expect_nothing_else();
     return plan;
 }
@@ -248,22 +269,23 @@ void read_session_tables(Section& file, Study& study) {
 }
 
 void expect_known_conditions(Section& file, const Study& study) {
+    const auto session = file.table("session", false);
     const auto& reference = study.plan.reference;
     const auto is_known = [&](const ConditionId& id) {
         return std::any_of(study.conditions.begin(), study.conditions.end(),
                            [&](const auto& each) { return each.id == id; });
     };
     if (reference && !is_known(*reference))
-        file.note("session", fmt::format("reference '{}' in [session] is no [[condition]] of this "
-                                         "study, expected the id of one",
-                                         reference->value));
-    for (const auto& pair : {study.plan.easy_pair, study.plan.hard_pair})
+        session.refuse("reference", "the id of a [[condition]] of this study");
+    const auto expect_compared = [&](const char* key, const std::optional<ConditionPair>& pair) {
         for (const auto& id : pair.value_or(ConditionPair{}))
             if (pair && (!is_known(id) || id == reference))
-                file.note("session", fmt::format("'{}' in easy_pair or hard_pair of [session] is "
-                                                 "never compared, expected the id of a "
-                                                 "[[condition]] that is",
-                                                 id.value));
+                session.refuse(key, fmt::format("the ids of two [[condition]] that are compared: "
+                                                "'{}' is {}",
+                                                id.value, is_known(id) ? "the reference" : "none"));
+    };
+    expect_compared("easy_pair", study.plan.easy_pair);
+    expect_compared("hard_pair", study.plan.hard_pair);
 }
 
 } // namespace protocols

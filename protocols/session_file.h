@@ -10,7 +10,8 @@ namespace protocols {
 /// Reads them from the outermost table; what is missing keeps its default.
 void read_session_tables(Section& file, Study& study);
 
-/// Notes a reference that is no condition of the study.  Once the conditions are read.
+/// Notes a reference that is no condition of the study, and practised pairs that are never
+/// compared. Once the conditions are read.
 void expect_known_conditions(Section& file, const Study& study);
 
 } // namespace protocols

@@ -165,11 +165,11 @@ void read_picture_size(Section& section, Scene& scene, Pictures pictures) {
         return;
     const auto* given = has_width ? "width" : "height";
     if (pictures == Pictures::Rendered)
-        section.note(given, fmt::format("'{}' in [[scene]] of a study that renders, expected the "
-                                        "size of all its pictures in [study]",
-                                        given));
+        section.refuse(given, "no such key: a study that renders has the size of all its pictures "
+                              "in [study]");
     else if (has_width != has_height)
-        section.note(given, "one of 'width' and 'height' in [[scene]], expected both or neither");
+        section.refuse(given, fmt::format("a '{}' beside it: both or neither",
+                                          has_width ? "height" : "width"));
     else
         scene.size = PictureSize{static_cast<int>(section.whole("width", {16, 16384})),
                                  static_cast<int>(section.whole("height", {16, 16384}))};

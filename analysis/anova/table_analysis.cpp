@@ -1,6 +1,7 @@
 #include "analysis/anova/table_analysis.h"
 
 #include "analysis/anova/letters.h"
+#include "analysis/anova/number_range.h"
 #include "analysis/anova/table_parts.h"
 
 #include <fmt/format.h>
@@ -152,11 +153,19 @@ Expected<TableAnalysis> analyze_table(const Measurements& table, const TableOpti
     TableAnalysis result;
     result.columns = table.names;
     result.options = options;
+    result.unit_exponent = unit_exponent(table);
     if (table.without_response > 0)
         result.notes.push_back(
             fmt::format("{} rows without a value were passed over.", table.without_response));
-    return table.subject.empty() ? independent_analysis(std::move(result), table, *control)
-                                 : repeated_analysis(std::move(result), table, *control);
+    const auto analyzed = [&](const Measurements& values) {
+        return values.subject.empty() ? independent_analysis(std::move(result), values, *control)
+                                      : repeated_analysis(std::move(result), values, *control);
+    };
+    const int exponent = result.unit_exponent;
+    if (exponent == 0)
+        return analyzed(table);
+    result.notes.push_back(note_on_unit(table.names.response, exponent));
+    return analyzed(in_unit(table, exponent));
 }
 
 } // namespace analysis::anova

@@ -61,7 +61,8 @@ struct FactorComparisons {
 struct TableAnalysis {
     MeasurementColumns columns;
     TableOptions options;
-    std::string design; ///< "one-way", "factorial", "within", "mixed"
+    std::string design;    ///< "one-way", "factorial", "within", "mixed"
+    int unit_exponent = 0; ///< all numbers are of the response over this power of ten
     std::int64_t values = 0;
     std::int64_t subjects = 0; ///< 0 without repeated measures
     double grand_mean = undefined;

@@ -121,6 +121,8 @@ std::string table_json(const TableAnalysis& analysis, const std::string& source)
                   {"type", static_cast<int>(analysis.options.type) + 1},
                   {"level", analysis.options.level},
                   {"n", analysis.values}};
+    if (analysis.unit_exponent != 0)
+        document["unit_exponent"] = analysis.unit_exponent;
     if (analysis.subjects > 0) {
         document["within"] = analysis.columns.subject;
         document["subjects"] = analysis.subjects;

@@ -145,7 +145,9 @@ void check_line(std::string& text, const char* name, const FTest& test) {
 }
 
 std::string heading(const TableAnalysis& analysis) {
-    std::string text = fmt::format("{} by {}: ", analysis.columns.response,
+    const auto unit =
+        analysis.unit_exponent == 0 ? "" : fmt::format(" / 1e{}", analysis.unit_exponent);
+    std::string text = fmt::format("{}{} by {}: ", analysis.columns.response, unit,
                                    fmt::join(analysis.columns.factors, ", "));
     text += analysis.subjects > 0
                 ? fmt::format("{} design, {} values of {} {}", analysis.design, analysis.values,

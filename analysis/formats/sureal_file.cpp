@@ -2,6 +2,7 @@
 #include "analysis/formats/sureal_file.h"
 
 #include "analysis/formats/literals.h"
+#include "analysis/formats/sureal_names.h"
 
 #include <fmt/format.h>
 
@@ -15,11 +16,17 @@ namespace analysis::formats {
 namespace {
 
 using Kind = Literal::Kind;
+using Checked = Expected<void>; ///< nothing, or what is wrong
 
 struct Asset {
-    std::int64_t id = 0, content = 0, line = 0;
-    std::string stem; ///< of its file, "" without one
+    std::int64_t id = 0, content = 0;
+    std::string condition, path; ///< "" without one
     const Literal* votes = nullptr;
+};
+
+struct Content {
+    std::string name;
+    const Literal* scene = nullptr; ///< a level for every scene factor, where it is said
 };
 
 struct Key {
@@ -42,12 +49,16 @@ std::optional<std::int64_t> whole(const Literal* value) {
     return static_cast<std::int64_t>(value->number);
 }
 
-// "caps/Caps1.png": Caps1
-std::string stem_of(const std::string& path) {
-    const auto slash = path.find_last_of("/\\");
-    const auto file = slash == path.npos ? path : path.substr(slash + 1);
-    const auto dot = file.rfind('.');
-    return dot == path.npos || dot == 0 ? file : file.substr(0, dot);
+// "" for what is no text.
+std::string text_of(const Literal* value) {
+    return value != nullptr && value->kind == Kind::Text ? value->text : "";
+}
+
+bool is_scene(const Literal* value) {
+    return value != nullptr && value->kind == Kind::Map &&
+           std::all_of(value->entries.begin(), value->entries.end(), [](const LiteralEntry& entry) {
+               return entry.first.kind == Kind::Text && entry.second.kind == Kind::Text;
+           });
 }
 
 class DataSet {
@@ -58,17 +69,8 @@ class DataSet {
         const auto* videos = file.find("dis_videos");
         if (file.kind != Kind::Map || videos == nullptr || videos->kind != Kind::List)
             return fail(file.line, "no list 'dis_videos', expected a data set of sureal");
-        if (auto wrong = doubled_key(file); !wrong.empty())
-            return tl::unexpected(wrong);
-        if (auto wrong = read_contents(file.find("ref_videos")); !wrong.empty())
-            return tl::unexpected(wrong);
-        for (const auto& video : videos->items)
-            if (auto wrong = read_asset(video); !wrong.empty())
-                return tl::unexpected(wrong);
-        for (const auto& asset : assets_)
-            for (const auto& [key, value] : asset.votes->entries)
-                if (auto wrong = read_vote(asset, key, value); !wrong.empty())
-                    return tl::unexpected(wrong);
+        if (auto read = read_videos(file, *videos); !read)
+            return tl::unexpected(std::move(read.error()));
         if (answers_.empty())
             return fail(videos->line, "no votes in any 'os'");
         return table();
@@ -76,57 +78,71 @@ class DataSet {
 
   private:
     tl::unexpected<std::string> fail(std::int64_t line, const std::string& what) const {
-        return tl::unexpected(at(line, what));
+        return tl::unexpected(fmt::format("{}:{}: {}", name_, line, what));
     }
 
-    std::string at(std::int64_t line, const std::string& what) const {
-        return fmt::format("{}:{}: {}", name_, line, what);
+    Checked read_videos(const Literal& file, const Literal& videos) {
+        if (auto once = expect_keys_once(file); !once)
+            return once;
+        if (auto read = read_contents(file.find("ref_videos")); !read)
+            return read;
+        const auto* simulated = file.find("simulated");
+        simulated_ = simulated != nullptr && simulated->number == 1;
+        for (const auto& video : videos.items)
+            if (auto read = read_asset(video); !read)
+                return read;
+        for (const auto& asset : assets_)
+            for (const auto& [key, value] : asset.votes->entries)
+                if (auto read = read_vote(asset, key, value); !read)
+                    return read;
+        return {};
     }
 
-    std::string read_contents(const Literal* videos) {
+    Checked read_contents(const Literal* videos) {
         if (videos == nullptr || videos->kind != Kind::List)
             return {};
         for (const auto& video : videos->items) {
             const auto id = whole(video.find("content_id"));
-            const auto* name = video.find("content_name");
             if (!id)
-                return at(video.line, "a reference without a number as 'content_id'");
-            if (name != nullptr && name->kind == Kind::Text && !name->text.empty())
-                contents_[*id] = name->text;
+                return fail(video.line, "a reference without a number as 'content_id'");
+            const auto name = text_of(video.find("content_name"));
+            const auto* scene = video.find("scene");
+            contents_[*id] = {name.empty() ? fmt::format("{}", *id) : name,
+                              is_scene(scene) ? scene : nullptr};
         }
         return {};
     }
 
     // Which of two values counts, Python and JSON readers answer differently.
-    std::string doubled_key(const Literal& map) const {
+    Checked expect_keys_once(const Literal& map) const {
         std::set<std::string_view> seen;
         for (const auto& [key, value] : map.entries)
             if (key.kind == Kind::Text && !seen.insert(key.text).second)
-                return at(key.line, fmt::format("'{}' stands twice, expected once", key.text));
+                return fail(key.line, fmt::format("'{}' stands twice, expected once", key.text));
         return {};
     }
 
-    std::string read_asset(const Literal& video) {
-        if (auto wrong = doubled_key(video); !wrong.empty())
-            return wrong;
+    Checked read_asset(const Literal& video) {
+        if (auto once = expect_keys_once(video); !once)
+            return once;
         Asset asset;
         const auto id = whole(video.find("asset_id")), content = whole(video.find("content_id"));
         if (!id || !content)
-            return at(video.line, "expected whole numbers as 'asset_id' and 'content_id'");
+            return fail(video.line, "expected whole numbers as 'asset_id' and 'content_id'");
         asset.id = *id;
         asset.content = *content;
-        asset.line = video.line;
         asset.votes = video.find("os");
         if (asset.votes == nullptr || asset.votes->kind != Kind::Map)
-            return at(asset.votes == nullptr ? video.line : asset.votes->line,
-                      fmt::format("asset {} has no map 'os' of (subject, asset): 1; ratings are no "
-                                  "votes on pairs",
-                                  *id));
-        if (const auto* path = video.find("path"); path != nullptr && path->kind == Kind::Text)
-            asset.stem = stem_of(path->text);
+            return fail(
+                asset.votes == nullptr ? video.line : asset.votes->line,
+                fmt::format("asset {} has no map 'os' of (subject, asset): 1; ratings are no "
+                            "votes on pairs",
+                            *id));
+        asset.condition = text_of(video.find("condition"));
+        asset.path = text_of(video.find("path"));
         if (!places_.emplace(*id, assets_.size()).second)
-            return at(video.line, fmt::format("asset {} stands twice", *id));
-        contents_.emplace(*content, fmt::format("{}", *content));
+            return fail(video.line, fmt::format("asset {} stands twice", *id));
+        contents_.emplace(*content, Content{fmt::format("{}", *content)});
         assets_.push_back(std::move(asset));
         return {};
     }
@@ -144,27 +160,29 @@ class DataSet {
         return asset ? std::optional(Key{literal.items[0].text, *asset}) : std::nullopt;
     }
 
-    std::string read_vote(const Asset& asset, const Literal& literal, const Literal& value) {
+    Checked read_vote(const Asset& asset, const Literal& literal, const Literal& value) {
         const auto key = key_of(literal);
         if (!key)
-            return at(literal.line, "a key of 'os' is no pair of a subject's name and an asset's "
-                                    "number, such as ('Ann', 2)");
+            return fail(literal.line, "a key of 'os' is no pair of a subject's name and an asset's "
+                                      "number, such as ('Ann', 2)");
         const auto place = places_.find(key->asset);
         if (place == places_.end())
-            return at(literal.line, fmt::format("asset {} is not among 'dis_videos'", key->asset));
+            return fail(literal.line,
+                        fmt::format("asset {} is not among 'dis_videos'", key->asset));
         if (key->asset == asset.id)
-            return at(literal.line, fmt::format("asset {} against itself", asset.id));
+            return fail(literal.line, fmt::format("asset {} against itself", asset.id));
         if (const auto other = assets_[place->second].content; other != asset.content)
-            return at(
+            return fail(
                 literal.line,
                 fmt::format("asset {} is of content {}, asset {} of {}: pairs across contents "
                             "have no common scene",
                             asset.id, asset.content, key->asset, other));
         const bool number = value.kind == Kind::Number;
         if (!number || (value.number != 0 && value.number != 0.5 && value.number != 1))
-            return at(value.line, fmt::format("the vote of {} on assets {} and {}: expected 1, 0, "
-                                              "or 0.5 for a tie",
-                                              key->subject, asset.id, key->asset));
+            return fail(value.line,
+                        fmt::format("the vote of {} on assets {} and {}: expected 1, 0, "
+                                    "or 0.5 for a tie",
+                                    key->subject, asset.id, key->asset));
         const bool first = asset.id < key->asset;
         const Answer answer{first ? value.number : 1 - value.number, literal.line, asset.id};
         const auto pair = std::minmax(asset.id, key->asset);
@@ -177,7 +195,7 @@ class DataSet {
         const auto& before = known->second;
         const bool again = before.told_by == asset.id;
         if (again || before.first_chosen != answer.first_chosen)
-            return at(
+            return fail(
                 literal.line,
                 fmt::format("{} was asked about assets {} and {} before, on line {}: the form "
                             "holds one answer",
@@ -186,55 +204,62 @@ class DataSet {
         return {};
     }
 
-    // The stem, without the content's name where all have it in front.
-    bool content_in_front() const {
-        return std::all_of(assets_.begin(), assets_.end(), [&](const Asset& asset) {
-            const auto& content = contents_.at(asset.content);
-            return asset.stem.size() > content.size() && asset.stem.starts_with(content);
-        });
+    ConditionNames named_assets() const {
+        std::vector<NamedAsset> named;
+        for (const auto& asset : assets_)
+            named.push_back({asset.id, asset.content, contents_.at(asset.content).name,
+                             asset.condition, asset.path});
+        return condition_names(named);
     }
 
-    std::vector<std::string> condition_names() {
-        const bool shorten = content_in_front();
-        std::vector<std::string> names;
-        std::set<std::pair<std::int64_t, std::string>> seen;
-        bool unique = true;
-        for (const auto& asset : assets_) {
-            auto stem = asset.stem;
-            if (shorten)
-                stem.erase(
-                    0, std::min(stem.find_first_not_of(" _-", contents_.at(asset.content).size()),
-                                stem.size() - 1));
-            unique = unique && !stem.empty() && seen.emplace(asset.content, stem).second;
-            names.push_back(std::move(stem));
-        }
-        by_number_ = !unique;
-        for (std::size_t a = 0; !unique && a < names.size(); ++a)
-            names[a] = fmt::format("{}", assets_[a].id);
-        return names;
+    // Factors in the order of the first content, where all contents have them; none where one has
+    // others.
+    std::optional<std::vector<std::string>> scene_factors() const {
+        const auto* first = contents_.begin()->second.scene;
+        if (first == nullptr)
+            return std::nullopt;
+        std::vector<std::string> factors;
+        for (const auto& [factor, level] : first->entries)
+            factors.push_back(factor.text);
+        for (const auto& [id, content] : contents_)
+            if (content.scene == nullptr || content.scene->entries.size() != factors.size() ||
+                std::any_of(factors.begin(), factors.end(), [&](const auto& factor) {
+                    return content.scene->find(factor) == nullptr;
+                }))
+                return std::nullopt;
+        return factors;
     }
 
     VoteTable table() {
-        auto table = empty_vote_table({"content"});
-        const auto names = condition_names();
+        const auto factors = scene_factors();
+        auto table = empty_vote_table(factors.value_or(std::vector<std::string>{"content"}));
+        table.simulated = simulated_;
+        const auto [names, note] = named_assets();
         for (const auto& name : names)
             table.conditions.code(name);
         const auto name_of = [&](std::int64_t asset) { return names[places_.at(asset)]; };
+        const auto scene_of = [&](const Content& content) {
+            if (!factors)
+                return std::vector<std::string>{content.name};
+            std::vector<std::string> levels;
+            for (const auto& factor : *factors)
+                levels.push_back(content.scene->find(factor)->text);
+            return levels;
+        };
         for (const auto& key : order_) {
             const auto& [subject, first, second] = key;
             const double chosen = answers_.at(key).first_chosen;
             const auto& content = contents_.at(assets_[places_.at(first)].content);
             append_vote(table, {.observer = subject,
                                 .session = "1",
-                                .scene = {content},
+                                .scene = scene_of(content),
                                 .left = name_of(first),
                                 .right = name_of(second),
                                 .chosen = chosen == 1   ? protocols::Choice::Left
                                           : chosen == 0 ? protocols::Choice::Right
                                                         : protocols::Choice::Tie});
         }
-        table.notes.emplace_back(by_number_ ? "conditions are called by their assets' numbers"
-                                            : "conditions are called by their files' names");
+        table.notes.push_back(note);
         table.notes.emplace_back("the file does not say which condition was on the left: what is "
                                  "said of the left side is of the one named first");
         if (told_twice_ > 0)
@@ -244,14 +269,14 @@ class DataSet {
     }
 
     const std::string& name_;
-    std::map<std::int64_t, std::string> contents_;
+    std::map<std::int64_t, Content> contents_;
     std::vector<Asset> assets_;
     std::map<std::int64_t, std::size_t> places_; ///< of asset numbers in `assets_`
     using Question = std::tuple<std::string, std::int64_t, std::int64_t>;
     std::map<Question, Answer> answers_;
     std::vector<Question> order_; ///< of the file
     std::int64_t told_twice_ = 0;
-    bool by_number_ = false;
+    bool simulated_ = false;
 };
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <optional>
 
 namespace analysis::formats {
@@ -30,6 +31,24 @@ std::optional<Pair> pair_of(std::string_view name) {
 bool is_observer(std::string_view name) {
     return name == "observer" || name == "subject" || name == "participant" ||
            name == "participant_id";
+}
+
+// What a column holds: V12 and 1:2 are the same pair.
+std::string meaning_of(std::string_view name) {
+    if (const auto pair = pair_of(name))
+        return fmt::format("{}:{}", pair->first, pair->second);
+    return is_observer(name) ? "observer" : std::string(name);
+}
+
+// Of two columns with one meaning, either both would count or one would be lost.
+std::string doubled_column(std::span<const std::string_view> header) {
+    std::map<std::string, std::string_view> seen;
+    for (const auto name : header)
+        if (const auto [before, added] = seen.emplace(meaning_of(name), name); !added)
+            return fmt::format("column '{}' says the same as '{}' before it, expected each pair "
+                               "and each name once",
+                               name, before->second);
+    return {};
 }
 
 class WideReader {
@@ -74,10 +93,14 @@ class WideReader {
     std::string header(std::span<const std::string_view> fields) {
         width_ = fields.size();
         std::vector<std::string> names;
+        if (auto wrong = doubled_column(fields); !wrong.empty())
+            return wrong;
         for (std::size_t i = 0; i < fields.size(); ++i) {
             if (auto pair = pair_of(fields[i])) {
                 if (pair->first == pair->second)
-                    return fmt::format("column '{}' is a condition against itself", fields[i]);
+                    return fmt::format("column '{}' is a condition against itself, expected two "
+                                       "conditions",
+                                       fields[i]);
                 pair->column = i;
                 pairs_.push_back(*pair);
             } else if (is_observer(fields[i])) {

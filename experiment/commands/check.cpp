@@ -34,10 +34,11 @@ bool has_rendered_conditions(const Study& study) {
 
 void say_what_is_asked(const Study& study) {
     const auto pairs = all_questions(study).size();
-    fmt::print("{}: {} conditions{}, {} scenes, {} ways to show each: {} pairs a sitting, {}\n",
-               study.id, study.conditions.size(),
-               study.plan.reference ? ", one of them the reference" : "", study.scenes.size(),
-               shown_variants(study).size(),
+    const auto ways = shown_variants(study).size();
+    fmt::print("{}: {} conditions{}, {} {}, {} to show each: {} pairs a sitting, {}\n", study.id,
+               study.conditions.size(), study.plan.reference ? ", one of them the reference" : "",
+               study.scenes.size(), study.scenes.size() == 1 ? "scene" : "scenes",
+               ways == 1 ? "one way" : fmt::format("{} ways", ways),
                pairs * static_cast<std::size_t>(study.plan.repetitions),
                study.plan.sessions == 1
                    ? "one sitting"

@@ -3,6 +3,7 @@
 
 #include <tl/expected.hpp>
 
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -37,6 +38,11 @@ struct Voice {
 
 /// Adds `--quiet` to `command`.
 void add_voice(CLI::App& command, Voice& voice);
+
+/// That the program's first word, where it is no option, names one of its commands: CLI11 would say
+/// that there is none.
+/// Errors: CommandError, with the command that was probably meant.
+void expect_command(const CLI::App& program, std::span<const char* const> words);
 
 /// Writes a result to the file `path`, or to standard output when it is empty.
 /// Errors: CommandError for a file that cannot be written, and for one that would be lost: `input`,

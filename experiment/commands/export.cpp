@@ -1,4 +1,5 @@
 // pairlight export: vote matrices and vote tables, in forms other tools read.
+#include "analysis/formats/sureal_writer.h"
 #include "analysis/formats/vote_writers.h"
 #include "analysis/vote_matrix_csv.h"
 #include "experiment/commands/commands.h"
@@ -15,7 +16,7 @@ namespace experiment::commands {
 
 namespace {
 
-enum class Form { Long, Matrices, Scores, Pwcmp, Pairs, PairedComparison };
+enum class Form { Long, Matrices, Scores, Pwcmp, Pairs, PairedComparison, Sureal };
 
 std::string exported(const std::string& study, Form form) {
     if (form == Form::Long)
@@ -33,6 +34,8 @@ std::string exported(const std::string& study, Form form) {
         return analysis::formats::pair_counts_csv(votes.table);
     case Form::PairedComparison:
         return value_or_stop(analysis::formats::paired_comparison_csv(votes.table));
+    case Form::Sureal:
+        return value_or_stop(analysis::formats::sureal_script(votes.table));
     }
     return {};
 }
@@ -48,21 +51,23 @@ void add_export(CLI::App& program) {
     };
 
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand("export", "Vote matrices and vote tables, as CSV");
+    auto* command = program.add_subcommand(
+        "export", "Vote matrices and vote tables, as CSV or as other programs read them");
     command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
     command
         ->add_option(
             "--format", options->form,
             "long: one row per vote; matrices: votes for winner over loser in every scope; scores; "
             "and as other programs read votes: pwcmp, pairs (BradleyTerry2), paired-comparison "
-            "(psychotools)")
+            "(psychotools), sureal (its data set, a Python script)")
         ->transform(CLI::CheckedTransformer(
             std::map<std::string, Form>{{"long", Form::Long},
                                         {"matrices", Form::Matrices},
                                         {"scores", Form::Scores},
                                         {"pwcmp", Form::Pwcmp},
                                         {"pairs", Form::Pairs},
-                                        {"paired-comparison", Form::PairedComparison}}))
+                                        {"paired-comparison", Form::PairedComparison},
+                                        {"sureal", Form::Sureal}}))
         ->required();
     command->add_option("--csv", options->csv, "The file to write; without it, standard output");
     add_voice(*command, options->voice);

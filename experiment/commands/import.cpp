@@ -92,9 +92,9 @@ void run(const Options& options) {
                     continue;
                 const protocols::Picture picture{scene.id, variant.id, condition.id};
                 const auto file = source_of(options.from, picture);
+                value_or_stop(stimuli::expect_size(loaded, picture, file));
                 auto imported = file.extension() == ".exr" ? from_light(file, options)
                                                            : from_codes(file, options);
-                value_or_stop(stimuli::expect_size(loaded, picture, file, imported.image));
                 record +=
                     fmt::format("{}\t{}\t{}\t{}\n", picture_path(picture), file.filename().string(),
                                 protocols::sha256_hexadecimal(value_or_stop(read_text_file(file))),

@@ -84,9 +84,14 @@ void add_init(CLI::App& program) {
     command->callback([options] {
         make_study_folder(options->folder, options->study_template, options->language);
         fmt::print("{}\n", StudyFolder{options->folder}.study_file().string());
-        options->voice.remark(
-            fmt::format("Next: edit it, then `pairlight check {0}` and `pairlight render {0}`.",
-                        options->folder));
+        options->voice.remark(fmt::format(
+            "Next: edit it{1}, then `pairlight check {0}` and `pairlight render {0}`.",
+            options->folder,
+            options->study_template == "own-images"
+                ? fmt::format(" and put the pictures where it says (or let `pairlight import {} "
+                              "--from DIR` do that)",
+                              options->folder)
+                : ""));
     });
 }
 

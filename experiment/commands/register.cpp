@@ -51,6 +51,10 @@ ObserverId new_pseudonym(const std::vector<ObserverId>& taken) {
 
 std::map<std::string, std::string> given_answers(const Options& options,
                                                  const protocols::Panel& panel) {
+    if (panel.questions.empty() && !options.answers.empty())
+        throw CommandError(fmt::format("--answer {}: {} asks its observers nothing, expected no "
+                                       "--answer, or [observer] or [[question]] in its study.toml",
+                                       options.answers.front(), options.study));
     std::map<std::string, std::string> given;
     for (const auto& text : options.answers) {
         const auto equals = text.find('=');

@@ -37,8 +37,10 @@ void add_simulate(CLI::App& program) {
         const auto loaded = value_or_stop(read_study(options->study));
         simulate_observers(loaded, options->observers, options->specification, options->voice,
                            window_size(options->window));
-        fmt::print("{}: {} simulated observers have finished {} sittings each\n",
-                   loaded.folder.votes().string(), options->observers, loaded.study.plan.sessions);
+        const auto sittings = loaded.study.plan.sessions;
+        fmt::print("{}: {} simulated {} finished {} each\n", loaded.folder.votes().string(),
+                   options->observers, options->observers == 1 ? "observer has" : "observers have",
+                   sittings == 1 ? "one sitting" : fmt::format("{} sittings", sittings));
     });
 }
 

@@ -42,41 +42,39 @@ int refreshes_missed(const store::Frame& frame, Monotonic refresh) {
 Sitting::Sitting(SittingScript script, Progress progress)
     : script_(std::move(script)), progress_(std::move(progress)) {
     add_pages();
-    if (!progress_.training_done) {
-        training_step_ = steps_.size();
-        add_trials(Phase::Training);
-        if (*training_step_ == steps_.size())
-            training_step_.reset();
-    }
-    steps_.emplace_back(
-        PageStep{"questions",
-                 question_page(script_.style, script_.question, training_step_.has_value()),
-                 {}});
-    steps_.emplace_back(AdaptationStep{});
-    add_trials(Phase::WarmUp);
-    const auto before_main = steps_.size();
-    add_trials(Phase::Main);
+    if (!progress_.training_done)
+        agenda_.add_training(open_trials(Phase::Training));
+    agenda_.add(PageStep{
+        "questions", question_page(script_.style, script_.question, agenda_.has_training()), {}});
+    agenda_.add(AdaptationStep{});
+    for (const auto& trial : open_trials(Phase::WarmUp))
+        agenda_.add(trial);
+    const auto main = open_trials(Phase::Main);
+    for (const auto& trial : main)
+        agenda_.add(trial);
     // Everything was answered before and only the end is missing: nobody has to wait for it.
-    if (steps_.size() == before_main)
-        steps_.clear();
-    steps_.emplace_back(FinishStep{});
-    steps_.emplace_back(PageStep{"thanks", thanks_page(script_.style), {}});
+    if (main.empty())
+        agenda_.clear();
+    agenda_.add(FinishStep{});
+    agenda_.add(PageStep{"thanks", thanks_page(script_.style), {}});
 }
 
 void Sitting::add_pages() {
     for (const auto& page : script_.setting_up)
-        steps_.emplace_back(PageStep{page.patches.empty() ? "display" : "contrast", page, {}});
+        agenda_.add(PageStep{page.patches.empty() ? "display" : "contrast", page, {}});
     const auto& pages = script_.instructions;
     for (std::size_t i = 0; i < pages.size(); ++i)
-        steps_.emplace_back(PageStep{fmt::format("instructions {} of {}", i + 1, pages.size()),
-                                     instruction_page(script_.style, pages[i]), least_reading});
+        agenda_.add(PageStep{fmt::format("instructions {} of {}", i + 1, pages.size()),
+                             instruction_page(script_.style, pages[i]), least_reading});
 }
 
-void Sitting::add_trials(Phase phase) {
+std::vector<PlannedTrial> Sitting::open_trials(Phase phase) const {
+    std::vector<PlannedTrial> trials;
     for (const auto& planned : script_.trials)
         if (planned.phase == phase && !progress_.voted.contains(planned.number) &&
             !progress_.missing.contains(planned.number))
-            steps_.emplace_back(planned);
+            trials.push_back(planned);
+    return trials;
 }
 
 std::vector<Effect> Sitting::begin(Monotonic at) {
@@ -144,10 +142,9 @@ std::optional<Monotonic> Sitting::wake_at() const {
 std::optional<PairView> Sitting::upcoming() const {
     const bool on_screen =
         state_ == State::Saving || (state_ == State::Trial && course_->was_seen());
-    for (auto i = step_ + (on_screen ? 1 : 0); i < steps_.size(); ++i)
-        if (const auto* planned = std::get_if<PlannedTrial>(&steps_[i]))
-            return PairView{planned->number, planned->trial};
-    return std::nullopt;
+    const auto* planned = agenda_.upcoming(!on_screen);
+    return planned != nullptr ? std::optional(PairView{planned->number, planned->trial})
+                              : std::nullopt;
 }
 
 void Sitting::see(View view) {
@@ -156,7 +153,7 @@ void Sitting::see(View view) {
 }
 
 void Sitting::next(Monotonic at) {
-    ++step_;
+    agenda_.next();
     enter(at);
 }
 
@@ -177,7 +174,7 @@ void Sitting::enter(Monotonic at) {
                          effects_.emplace_back(Finish{});
                          next(at);
                      }},
-               steps_[step_]);
+               agenda_.current());
 }
 
 void Sitting::enter_trial(const PlannedTrial& planned, Monotonic at) {
@@ -288,29 +285,9 @@ void Sitting::pass_deadline(Monotonic at) {
     next(at);
 }
 
-// Behind the next trial at least, and where it stands between other scenes if there is such a
-// place.
 void Sitting::ask_again_later(Monotonic at) {
     leave_trial();
-    const auto again = trial();
-    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(step_));
-    const auto scene_at = [&](std::size_t i) -> const protocols::SceneId* {
-        const auto* planned = i < steps_.size() ? std::get_if<PlannedTrial>(&steps_[i]) : nullptr;
-        return planned != nullptr && planned->phase == again.phase ? &planned->trial.scene
-                                                                   : nullptr;
-    };
-    auto place = step_;
-    while (scene_at(place) != nullptr)
-        ++place; // behind the last of its kind
-    const auto is_own = [&](const protocols::SceneId* scene) {
-        return scene != nullptr && *scene == again.trial.scene;
-    };
-    for (auto i = step_ + 1; i < place; ++i)
-        if (!is_own(scene_at(i - 1)) && !is_own(scene_at(i))) {
-            place = i;
-            break;
-        }
-    steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(place), again);
+    agenda_.postpone_trial();
     enter(at);
 }
 
@@ -322,7 +299,7 @@ void Sitting::press(const Pressed& press, Monotonic at) {
     if (state_ == State::Doubt)
         return press_in_doubt(press.key, at);
     if (press.key == Key::Escape && state_ != State::Saving) {
-        if (step_ + 1 == steps_.size())
+        if (agenda_.is_last())
             return press_on_page(Key::Forward, at); // there is nothing left to stop
         return interrupt(State::Doubt, stop_page(script_.style), "stop_asked", at);
     }
@@ -338,9 +315,8 @@ void Sitting::press_on_page(Key key, Monotonic at) {
     if (page == nullptr)
         return;
     const bool at_questions = state_ == State::Page && page->advance == Key::Release;
-    if (key == Key::Again && at_questions && training_step_ && *training_step_ < step_) {
+    if (key == Key::Again && at_questions && agenda_.repeat_training()) {
         note("training_again", "", at);
-        step_ = *training_step_;
         return enter(at);
     }
     if (key != page->advance)
@@ -356,10 +332,10 @@ void Sitting::press_on_page(Key key, Monotonic at) {
     }
     if (state_ == State::Break)
         return end_break(at);
-    const auto& step = std::get<PageStep>(steps_[step_]);
+    const auto& step = std::get<PageStep>(agenda_.current());
     if (at - since_ < step.least)
         return;
-    if (step_ + 1 == steps_.size()) {
+    if (agenda_.is_last()) {
         state_ = State::Over;
         return see(EndView{true});
     }
@@ -444,15 +420,13 @@ bool Sitting::limit_is_reached(Monotonic at) const {
 }
 
 const PlannedTrial& Sitting::trial() const {
-    return std::get<PlannedTrial>(steps_[step_]);
+    return agenda_.trial();
 }
 
 Standing Sitting::standing(Monotonic at) const {
     Standing standing;
-    int others = 0; // trials to come that are not main ones
-    for (auto i = step_; i < steps_.size(); ++i)
-        if (const auto* planned = std::get_if<PlannedTrial>(&steps_[i]))
-            ++(planned->phase == Phase::Main ? standing.main : others);
+    const auto [main, others] = agenda_.remaining();
+    standing.main = main;
     if (state_ == State::Saving)
         --standing.main;
     const auto remaining = standing.main;
@@ -466,7 +440,7 @@ Standing Sitting::standing(Monotonic at) const {
         "page", "adaptation", "trial", "trial", "break", "limit", "paused", "asks to stop", "over"};
     standing.doing = states[static_cast<std::size_t>(state_)];
     if (state_ == State::Page)
-        standing.doing = std::get<PageStep>(steps_[step_]).name;
+        standing.doing = std::get<PageStep>(agenda_.current()).name;
     else if (state_ == State::Trial || state_ == State::Saving)
         standing.doing = trial().phase == Phase::Training ? "training" : "main trials";
     return standing;

@@ -2,6 +2,7 @@
 // Pure: no window, no store, no clock; time comes with the inputs.
 #pragma once
 
+#include "experiment/session/agenda.h"
 #include "experiment/session/inputs.h"
 #include "experiment/session/pages.h"
 #include "experiment/session/trial_course.h"
@@ -96,20 +97,8 @@ class Sitting {
   private:
     enum class State { Page, Adapting, Trial, Saving, Break, Limit, Paused, Doubt, Over };
 
-    struct PageStep {
-        std::string name; ///< for the record
-        PageView page;
-        Monotonic least{};
-    };
-
-    struct AdaptationStep {};
-
-    struct FinishStep {};
-
-    using Step = std::variant<PageStep, AdaptationStep, protocols::PlannedTrial, FinishStep>;
-
     void add_pages();
-    void add_trials(protocols::Phase phase);
+    std::vector<protocols::PlannedTrial> open_trials(protocols::Phase phase) const;
     void see(View view);
     void enter(Monotonic at);
     void enter_trial(const protocols::PlannedTrial& planned, Monotonic at);
@@ -138,9 +127,7 @@ class Sitting {
 
     SittingScript script_;
     Progress progress_;
-    std::vector<Step> steps_;
-    std::size_t step_ = 0;
-    std::optional<std::size_t> training_step_; ///< where the training begins
+    Agenda agenda_;
     State state_ = State::Over;
     State interrupted_ = State::Over; ///< where Doubt came from
     View view_ = GreyView{};

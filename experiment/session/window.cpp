@@ -3,8 +3,7 @@
 
 #include "experiment/session/glfw.h"
 #include "experiment/session/glfw_keys.h"
-#include "experiment/session/page_drawing.h"
-#include "experiment/session/pair_layout.h"
+#include "experiment/session/view_drawing.h"
 #include "renderer/gpu/context.h"
 
 #include <fmt/format.h>
@@ -19,8 +18,6 @@
 namespace experiment::session {
 
 namespace {
-
-using renderer::gpu::PixelCanvas;
 
 // How often events are looked for: the resolution of response times.
 constexpr double poll_seconds = 0.001;
@@ -69,15 +66,14 @@ Places places_of(const WindowOptions& options) {
     return side_by_side ? Places::Two : Places::One;
 }
 
-/// By scene: where its pictures lie, or why they do not fit.
-using Layouts = std::map<protocols::SceneId, Expected<PairLayout>>;
-
-Layouts lay_out(int width, int height, const WindowOptions& options) {
-    Layouts layouts;
-    for (const auto& [scene, size] : options.sizes)
-        layouts.emplace(scene, lay_out_pair(width, height, size.width, size.height, options.gap,
-                                            places_of(options)));
-    return layouts;
+DrawingStyle style_of(const WindowOptions& options) {
+    return {.surround = options.surround,
+            .sizes = options.sizes,
+            .gap = options.gap,
+            .places = places_of(options),
+            .reference = options.reference,
+            .photodiode_px = options.display.photodiode_px,
+            .text = {options.display.text_scale, options.display.high_contrast}};
 }
 
 // Mesa's rasterisers draw in memory; nothing they swap waits for a monitor.
@@ -88,30 +84,16 @@ bool is_software(const std::string& renderer) {
     return false;
 }
 
-renderer::gpu::Picture8 solid(int width, int height, const Patch& colour) {
-    renderer::gpu::Picture8 picture{width, height, {}};
-    picture.rgb.reserve(static_cast<std::size_t>(3 * width * height));
-    for (int pixel = 0; pixel < width * height; ++pixel)
-        for (const auto code : {colour.red, colour.green, colour.blue})
-            picture.rgb.push_back(code);
-    return picture;
-}
-
 class Window final : public WindowScreen {
   public:
     Window(std::unique_ptr<Glfw> glfw,
            WindowHandle window,
            GLFWmonitor* monitor,
            const WindowOptions& options,
-           PixelCanvas canvas,
-           Layouts layouts,
-           std::unique_ptr<PageDrawing> pages,
-           LoadPicture load,
+           ViewDrawing drawing,
            const Clock& clock)
         : glfw_(std::move(glfw)), window_(std::move(window)), monitor_(monitor), options_(options),
-          canvas_(canvas), layouts_(std::move(layouts)), pages_(std::move(pages)),
-          cache_(std::move(load), options.sizes, options.reference), keys_(glfw_keys(options.keys)),
-          clock_(clock) {
+          drawing_(std::move(drawing)), keys_(glfw_keys(options.keys)), clock_(clock) {
         glfwSetWindowUserPointer(window_.get(), this);
         glfwSetKeyCallback(window_.get(), [](GLFWwindow* event_window, int key, int, int action,
                                              int) { self(event_window).on_key(key, action); });
@@ -140,7 +122,7 @@ class Window final : public WindowScreen {
             if (screen != nullptr && event == GLFW_DISCONNECTED)
                 screen->on_monitor_gone();
         });
-        check_pixels();
+        pixels_ = drawing_.check_pixels();
         if (options_.test_swaps > 0)
             test_ = judge_swaps(time_swaps(options_.test_swaps), nominal_hz());
     }
@@ -166,8 +148,9 @@ class Window final : public WindowScreen {
     }
 
     renderer::gpu::Picture8 photograph() override {
-        [[maybe_unused]] const auto drawn = draw();
-        return canvas_.read(0, 0, canvas_.width(), canvas_.height());
+        [[maybe_unused]] const auto drawn = drawing_.draw(view_);
+        const auto& canvas = drawing_.canvas();
+        return canvas.read(0, 0, canvas.width(), canvas.height());
     }
 
     double nominal_hz() const override {
@@ -180,9 +163,8 @@ class Window final : public WindowScreen {
         auto last = Monotonic{};
         for (int i = 0; i <= swaps; ++i) {
             // Two greys that nobody tells apart.
-            canvas_.clear(static_cast<std::uint8_t>(options_.surround ^ (i % 2)));
-            glfwSwapBuffers(window_.get());
-            canvas_.finish();
+            drawing_.canvas().clear(static_cast<std::uint8_t>(options_.surround ^ (i % 2)));
+            swap();
             const auto now = clock_.now();
             if (i > 0)
                 intervals.push_back(now - last);
@@ -191,17 +173,16 @@ class Window final : public WindowScreen {
         return intervals;
     }
 
-    void prepare(const PairView& pair) override { cache_.prepare(pair); }
+    void prepare(const PairView& pair) override { drawing_.pictures().prepare(pair); }
 
     Expected<Input> show(const View& view) override {
         view_ = view;
         const bool is_pair = std::holds_alternative<PairView>(view);
         glfwSetInputMode(window_.get(), GLFW_CURSOR,
                          is_pair ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
-        if (auto drawn = draw(); !drawn)
+        if (auto drawn = drawing_.draw(view_); !drawn)
             return tl::unexpected(drawn.error());
-        glfwSwapBuffers(window_.get());
-        canvas_.finish();
+        swap();
         return Input{clock_.now(), OnsetSeen{"swap_return"}};
     }
 
@@ -216,11 +197,9 @@ class Window final : public WindowScreen {
                 patience = std::min(patience, left);
             }
             glfwWaitEventsTimeout(patience);
-            cache_.upload_what_is_ready();
-            if (std::exchange(damaged_, false) && draw()) {
-                glfwSwapBuffers(window_.get());
-                canvas_.finish();
-            }
+            drawing_.pictures().upload_what_is_ready();
+            if (std::exchange(damaged_, false) && drawing_.draw(view_))
+                swap();
         }
         const auto input = inputs_.front();
         inputs_.pop_front();
@@ -228,6 +207,12 @@ class Window final : public WindowScreen {
     }
 
   private:
+    // Returns when the monitor has been given the picture.
+    void swap() {
+        glfwSwapBuffers(window_.get());
+        drawing_.canvas().finish();
+    }
+
     std::string description() const {
         const auto* mode = monitor_ != nullptr ? glfwGetVideoMode(monitor_) : nullptr;
         const auto* name = monitor_ != nullptr ? glfwGetMonitorName(monitor_) : nullptr;
@@ -236,11 +221,11 @@ class Window final : public WindowScreen {
             "refresh_hz={}; colour_bits={}/{}/{}; surround_code={}; surround_read_back={}; "
             "picture_read_back={}; drawn_by={}",
             options_.size ? "window" : "full", name ? name : "unnamed", mode ? mode->width : 0,
-            mode ? mode->height : 0, canvas_.width(), canvas_.height(),
+            mode ? mode->height : 0, drawing_.canvas().width(), drawing_.canvas().height(),
             mode && mode->refreshRate > 0 ? std::to_string(mode->refreshRate) : "not reported",
             mode ? mode->redBits : 0, mode ? mode->greenBits : 0, mode ? mode->blueBits : 0,
-            options_.surround, surround_exact_ ? "exact" : "changed",
-            picture_exact_ ? "exact" : "changed", renderer::gpu::description());
+            options_.surround, pixels_.surround_exact ? "exact" : "changed",
+            pixels_.picture_exact ? "exact" : "changed", renderer::gpu::description());
         const auto& display = options_.display;
         if (mode && mode->width > 0 && display.screen_width_mm > 0) {
             const double pitch = display.screen_width_mm / mode->width;
@@ -262,46 +247,18 @@ class Window final : public WindowScreen {
     }
 
     void on_size(int width, int height) {
-        if (width <= 0 || height <= 0 || (width == canvas_.width() && height == canvas_.height()))
+        const int old_width = drawing_.canvas().width(), old_height = drawing_.canvas().height();
+        if (width <= 0 || height <= 0 || (width == old_width && height == old_height))
             return;
         happened(DisplayChanged{fmt::format("the window has {} x {} pixels, it had {} x {}", width,
-                                            height, canvas_.width(), canvas_.height())});
-        canvas_ = PixelCanvas(width, height);
-        pages_->resize(width, height);
-        // Where the pictures no longer fit, the next pair says so, and the sitting ends.
-        layouts_ = lay_out(width, height, options_);
+                                            height, old_width, old_height)});
+        drawing_.resize(width, height);
         damaged_ = true;
     }
 
     void on_monitor_gone() {
         monitor_ = nullptr;
         happened(DisplayChanged{"the monitor is gone"});
-    }
-
-    // Draws what a sitting draws, once, and looks at what came of it.  A driver's first drawing of
-    // a kind can take a tenth of a second, which would make the first onset late.
-    void check_pixels() {
-        canvas_.clear(options_.surround);
-        const auto surround = canvas_.read(0, 0, canvas_.width(), canvas_.height());
-        surround_exact_ = std::ranges::all_of(
-            surround.rgb, [&](std::uint8_t code) { return code == options_.surround; });
-        picture_exact_ = true;
-        for (const auto& [scene, layout] : layouts_)
-            if (layout)
-                check_pictures(*layout);
-    }
-
-    void check_pictures(const PairLayout& layout) {
-        renderer::gpu::Picture8 codes{layout.width, layout.height, {}};
-        for (int pixel = 0; pixel < codes.width * codes.height; ++pixel)
-            for (const int value : {pixel, 255 - pixel, pixel ^ 0x55})
-                codes.rgb.push_back(static_cast<std::uint8_t>(value & 0xff));
-        const renderer::gpu::UploadedPicture uploaded(codes);
-        for (const int left : {layout.left_x, layout.right_x}) {
-            canvas_.draw(uploaded, left, layout.top);
-            picture_exact_ = picture_exact_ &&
-                             canvas_.read(left, layout.top, codes.width, codes.height) == codes;
-        }
     }
 
     static Window& self(GLFWwindow* window) {
@@ -330,80 +287,13 @@ class Window final : public WindowScreen {
         glfwGetCursorPos(window_.get(), &x, &y);
         glfwGetWindowSize(window_.get(), &width, &height);
         const auto* pair = std::get_if<PairView>(&view_);
-        if (width <= 0 || height <= 0 || pair == nullptr || !layout_of(*pair))
+        if (width <= 0 || height <= 0 || pair == nullptr)
             return;
-        const auto& layout = *layout_of(*pair);
         // Where a desktop scales windows, the cursor is not counted in pixels.
-        x *= static_cast<double>(canvas_.width()) / width;
-        y *= static_cast<double>(canvas_.height()) / height;
-        const auto inside = [&](int left) {
-            return x >= left && x < left + layout.width && y >= layout.top &&
-                   y < layout.top + layout.height;
-        };
-        if (layout.left_x == layout.right_x)
-            return; // one place: a click does not say which picture
-        if (inside(layout.left_x))
-            inputs_.push_back({now, Pressed{Key::Left, Device::Mouse}});
-        else if (inside(layout.right_x))
-            inputs_.push_back({now, Pressed{Key::Right, Device::Mouse}});
-    }
-
-    // Draws the view to the buffer that is not on the screen.
-    Expected<void> draw() {
-        canvas_.clear(options_.surround);
-        if (const auto* page = std::get_if<PageView>(&view_)) {
-            for (const auto& patch : page->patches)
-                draw_patch(patch);
-            return pages_->draw(*page);
-        }
-        const auto* pair = std::get_if<PairView>(&view_);
-        draw_photodiode_patch(pair != nullptr);
-        return pair != nullptr ? draw_pair(*pair) : Expected<void>{};
-    }
-
-    const Expected<PairLayout>& layout_of(const PairView& pair) const {
-        return layouts_.at(pair.trial.scene);
-    }
-
-    Expected<void> draw_pair(const PairView& pair) {
-        const auto& layout = layout_of(pair);
-        if (!layout)
-            return tl::unexpected(layout.error());
-        const auto pictures = cache_.get(pair);
-        if (!pictures)
-            return tl::unexpected(pictures.error());
-        if (pair.part != Part::Second)
-            canvas_.draw((*pictures)->left, layout->left_x, layout->top);
-        if (pair.part != Part::First)
-            canvas_.draw((*pictures)->right, layout->right_x, layout->top);
-        if ((*pictures)->reference)
-            canvas_.draw(*(*pictures)->reference, layout->reference_x, layout->top);
-        if (pair.part == Part::Both)
-            return {};
-        return pages_->draw_mark(pair.part == Part::First ? "1" : "2",
-                                 layout->left_x + layout->width / 2, layout->top + layout->height);
-    }
-
-    void draw_patch(const Patch& patch) {
-        const auto pixels = [](double share, int size) {
-            return static_cast<int>(std::lround(share * size));
-        };
-        const renderer::gpu::UploadedPicture uploaded(solid(
-            pixels(patch.width, canvas_.width()), pixels(patch.height, canvas_.height()), patch));
-        canvas_.draw(uploaded, pixels(patch.left, canvas_.width()),
-                     pixels(patch.top, canvas_.height()));
-    }
-
-    // White as long as pictures are on the screen, black in the grey between them.
-    void draw_photodiode_patch(bool lit) {
-        const int edge =
-            std::min({options_.display.photodiode_px, canvas_.width(), canvas_.height()});
-        if (edge <= 0)
-            return;
-        const auto code = static_cast<std::uint8_t>(lit ? 255 : 0);
-        const renderer::gpu::UploadedPicture uploaded(
-            solid(edge, edge, {0, 0, 0, 0, code, code, code}));
-        canvas_.draw(uploaded, 0, canvas_.height() - edge);
+        x *= static_cast<double>(drawing_.canvas().width()) / width;
+        y *= static_cast<double>(drawing_.canvas().height()) / height;
+        if (const auto key = drawing_.picture_at(*pair, x, y))
+            inputs_.push_back({now, Pressed{*key, Device::Mouse}});
     }
 
     // Destroyed from the last to the first: textures before the window, the window before GLFW.
@@ -411,14 +301,10 @@ class Window final : public WindowScreen {
     WindowHandle window_;
     GLFWmonitor* monitor_;
     WindowOptions options_;
-    PixelCanvas canvas_;
-    Layouts layouts_;
-    std::unique_ptr<PageDrawing> pages_;
-    PairCache cache_;
+    ViewDrawing drawing_;
     std::map<int, Key> keys_; ///< by GLFW's codes
     const Clock& clock_;
-    bool surround_exact_ = false;
-    bool picture_exact_ = false;
+    PixelCheck pixels_;
     std::optional<SwapTest> test_;
     View view_ = GreyView{};
     std::deque<Input> inputs_;
@@ -440,17 +326,11 @@ open_window(const WindowOptions& options, LoadPicture load, const Clock& clock) 
         return tl::unexpected(window.error());
     int width = 0, height = 0;
     glfwGetFramebufferSize(window->get(), &width, &height);
-    auto layouts = lay_out(width, height, options);
-    for (const auto& [scene, layout] : layouts)
-        if (!layout)
-            return tl::unexpected(layout.error());
-    auto pages = PageDrawing::create(width, height,
-                                     {options.display.text_scale, options.display.high_contrast});
-    if (!pages)
-        return tl::unexpected(pages.error());
+    auto drawing = ViewDrawing::create(width, height, style_of(options), std::move(load));
+    if (!drawing)
+        return tl::unexpected(drawing.error());
     auto screen = std::make_unique<Window>(std::move(*glfw), std::move(*window), *monitor, options,
-                                           PixelCanvas(width, height), std::move(layouts),
-                                           std::move(*pages), std::move(load), clock);
+                                           std::move(*drawing), clock);
     if (auto shown = screen->show(GreyView{}); !shown)
         return tl::unexpected(shown.error());
     return screen;

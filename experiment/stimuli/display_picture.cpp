@@ -36,12 +36,12 @@ renderer::gpu::Picture8 bytes(const imaging::EncodedImage& image) {
 tl::expected<renderer::gpu::Picture8, std::string>
 picture_for_display(const LoadedStudy& loaded, const protocols::Picture& picture) {
     const auto file = png_file(loaded.folder, picture);
+    if (auto fits = expect_size(loaded, picture, file); !fits)
+        return tl::unexpected(fits.error());
     auto read = imaging::read_encoded(file);
     if (!read)
         return tl::unexpected(read.error());
     const auto& image = read->image;
-    if (auto fits = expect_size(loaded, picture, file, image); !fits)
-        return tl::unexpected(fits.error());
     return bytes(image.bits == 8 ? image : imaging::encode_8bit(linear(image)));
 }
 

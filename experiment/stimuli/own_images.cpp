@@ -13,15 +13,16 @@ namespace experiment::stimuli {
 
 namespace fs = std::filesystem;
 
-tl::expected<void, std::string> expect_size(const LoadedStudy& loaded,
-                                            const protocols::Picture& picture,
-                                            const fs::path& file,
-                                            const renderer::imaging::EncodedImage& image) {
+tl::expected<void, std::string>
+expect_size(const LoadedStudy& loaded, const protocols::Picture& picture, const fs::path& file) {
+    const auto size = renderer::imaging::size_in_file(file);
+    if (!size)
+        return tl::unexpected(size.error());
     const auto wanted = picture_sizes(loaded.study).at(picture.scene);
-    if (protocols::PictureSize{image.width, image.height} == wanted)
+    if (protocols::PictureSize{size->width, size->height} == wanted)
         return {};
     return tl::unexpected(fmt::format("{}: is {}x{} pixels, the study says {}x{}", file.string(),
-                                      image.width, image.height, wanted.width, wanted.height));
+                                      size->width, size->height, wanted.width, wanted.height));
 }
 
 tl::expected<PictureRecord, std::string> inspect_own_image(const LoadedStudy& loaded,
@@ -31,12 +32,12 @@ tl::expected<PictureRecord, std::string> inspect_own_image(const LoadedStudy& lo
         return tl::unexpected(
             fmt::format("{}: is missing; put the picture of condition \"{}\" there", file.string(),
                         picture.condition.value));
+    if (auto fits = expect_size(loaded, picture, file); !fits)
+        return tl::unexpected(fits.error());
     const auto read = renderer::imaging::read_encoded(file);
     if (!read)
         return tl::unexpected(read.error());
     const auto& image = read->image;
-    if (auto fits = expect_size(loaded, picture, file, image); !fits)
-        return tl::unexpected(fits.error());
     const auto bytes = read_text_file(file);
     if (!bytes)
         return tl::unexpected(bytes.error());

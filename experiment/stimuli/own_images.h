@@ -3,17 +3,19 @@
 
 #include "experiment/read_study.h"
 #include "experiment/stimuli/manifest.h"
-#include "renderer/imaging/encoded_image.h"
 
 #include <tl/expected.hpp>
 
+#include <filesystem>
+#include <string>
+
 namespace experiment::stimuli {
 
-/// Errors: `image`, read from `file`, is not of the size that the study says for its scene.
+/// Looks at the beginning of the file only, so that no pixel of a picture is read in vain.
+/// Errors: no picture, or not of the size that the study says for its scene.
 tl::expected<void, std::string> expect_size(const LoadedStudy& loaded,
                                             const protocols::Picture& picture,
-                                            const std::filesystem::path& file,
-                                            const renderer::imaging::EncodedImage& image);
+                                            const std::filesystem::path& file);
 
 /// The record of an own image as it lies in the stimuli folder.
 /// Errors: missing, not a picture, not of its scene's size; names the file and what was expected.

@@ -1,10 +1,11 @@
-// The vote store in one SQLite file: what may be written, and in which order.
+// The vote store in one SQLite file: what is written, and in which order.
 #include "experiment/store/sqlite_store.h"
 
 #include "experiment/store/row_chain.h"
 #include "experiment/store/sqlite_database.h"
 #include "experiment/store/sqlite_panel.h"
 #include "experiment/store/sqlite_reading.h"
+#include "experiment/store/sqlite_rules.h"
 #include "experiment/store/sqlite_schema.h"
 #include "experiment/store/sqlite_withdrawal.h"
 #include "experiment/store/words.h"
@@ -131,7 +132,7 @@ class SqliteStore final : public VoteStore {
     take_place(const ObserverId& observer, ObserverKind kind, const std::string& utc) override {
         return attempt(database_.file(), [&] {
             database_.in_transaction([&] {
-                refuse_unknown(observer);
+                refuse_unknown(database_, observer);
                 if (is_without_place(database_, observer))
                     append("answers", {observer.value, place_question(kind),
                                        std::to_string(free_place(database_, kind)), utc});
@@ -143,8 +144,8 @@ class SqliteStore final : public VoteStore {
                                  std::span<const PlannedTrial> plan) override {
         return attempt(database_.file(), [&] {
             database_.in_transaction([&] {
-                refuse_if_begun(start.key);
-                refuse_mixed_observer(start);
+                refuse_if_begun(database_, start.key);
+                refuse_mixed_observer(database_, start);
                 const auto sitting = append(
                     "sittings",
                     {start.key.observer.value, std::int64_t{start.key.session}, start.study_sha256,
@@ -163,8 +164,8 @@ class SqliteStore final : public VoteStore {
     Expected<void> append_shown(const SittingKey& key, const Shown& shown) override {
         return attempt(database_.file(), [&] {
             database_.in_transaction([&] {
-                const auto sitting = open_sitting(key);
-                phase_of_trial(key, sitting, shown.trial);
+                const auto sitting = open_sitting(database_, key);
+                phase_of_trial(database_, key, sitting, shown.trial);
                 append("shown",
                        {sitting, std::int64_t{shown.trial}, std::int64_t{shown.presentation},
                         shown.onset_ns, shown.onset_source, shown.onset_utc, shown.grey_ns,
@@ -176,8 +177,8 @@ class SqliteStore final : public VoteStore {
     Expected<void> append_vote(const SittingKey& key, const MainVote& vote) override {
         return attempt(database_.file(), [&] {
             database_.in_transaction([&] {
-                const auto sitting = open_sitting(key);
-                refuse_vote(key, sitting, vote.trial);
+                const auto sitting = open_sitting(database_, key);
+                refuse_vote(database_, key, sitting, vote.trial);
                 append("votes", {sitting, std::int64_t{vote.trial}, word(vote.chosen),
                                  std::int64_t{vote.response_time.count()}, vote.onset_ns,
                                  vote.key_ns, vote.onset_utc, vote.device, vote.key_name,
@@ -194,7 +195,7 @@ class SqliteStore final : public VoteStore {
     Expected<void> append_event(const SittingKey& key, const SittingEvent& event) override {
         return attempt(database_.file(), [&] {
             database_.in_transaction([&] {
-                const auto sitting = open_sitting(key);
+                const auto sitting = open_sitting(database_, key);
                 append("events", {sitting, event.kind, event.detail, event.at_ns, event.utc});
             });
         });
@@ -203,8 +204,8 @@ class SqliteStore final : public VoteStore {
     Expected<void> append_frames(const SittingKey& key, const FramesSeen& seen) override {
         return attempt(database_.file(), [&] {
             database_.in_transaction([&] {
-                const auto sitting = open_sitting(key);
-                phase_of_trial(key, sitting, seen.trial);
+                const auto sitting = open_sitting(database_, key);
+                phase_of_trial(database_, key, sitting, seen.trial);
                 append_frames_of(sitting, seen.trial, seen.presentation, seen.frames);
             });
         });
@@ -214,7 +215,7 @@ class SqliteStore final : public VoteStore {
                                   std::span<const Answer> answers) override {
         return attempt(database_.file(), [&] {
             database_.in_transaction([&] {
-                refuse_unknown(observer);
+                refuse_unknown(database_, observer);
                 for (const auto& [question, answer, utc] : answers)
                     append("answers", {observer.value, question, answer, utc});
             });
@@ -229,7 +230,7 @@ class SqliteStore final : public VoteStore {
             database_.keep_in_one_file();                   // a log would still hold the rows
             database_.execute("PRAGMA secure_delete = ON"); // zeros where the rows lay
             database_.in_transaction([&] {
-                refuse_unknown(observer);
+                refuse_unknown(database_, observer);
                 const auto removal = remove_observer(database_, observer);
                 tombstone.rows = removal.rows;
                 tombstone.votes = removal.votes;
@@ -247,17 +248,8 @@ class SqliteStore final : public VoteStore {
     Expected<void> finish_sitting(const SittingKey& key, const std::string& utc) override {
         return attempt(database_.file(), [&] {
             database_.in_transaction([&] {
-                const auto sitting = open_sitting(key);
-                const auto open = database_.query(
-                    "SELECT trial FROM planned WHERE sitting = ? AND phase = 'main' AND trial NOT "
-                    "IN (SELECT trial FROM votes WHERE sitting = planned.sitting) AND trial NOT IN "
-                    "(SELECT CAST(detail AS INTEGER) FROM events WHERE sitting = planned.sitting "
-                    "AND kind = ?) ORDER BY trial",
-                    {sitting, std::string(missing_vote)});
-                if (!open.empty())
-                    throw complaint(key, fmt::format("cannot be finished: {} main trial(s) have no "
-                                                     "vote, the first is number {}",
-                                                     open.size(), integer_of(open[0][0])));
+                const auto sitting = open_sitting(database_, key);
+                refuse_unanswered(database_, key, sitting);
                 append("finished", {sitting, utc});
             });
         });
@@ -329,94 +321,6 @@ class SqliteStore final : public VoteStore {
         return integer_of(
             database_.query("SELECT max(presentation) FROM shown WHERE sitting = ? AND trial = ?",
                             {sitting, trial})[0][0]);
-    }
-
-    void refuse_unknown(const ObserverId& observer) const {
-        if (database_.query("SELECT 1 FROM observers WHERE observer = ?", {observer.value}).empty())
-            throw database_.complaint(fmt::format(
-                "knows no observer {}; `pairlight observers` lists them", observer.value));
-    }
-
-    DatabaseError complaint(const SittingKey& key, const std::string& message) const {
-        return database_.complaint(
-            fmt::format("session {} of observer {} {}", key.session, key.observer.value, message));
-    }
-
-    std::vector<Row> find(const SittingKey& key) const {
-        return database_.query("SELECT sittings.seq, local_date, finished.utc FROM sittings LEFT "
-                               "JOIN finished ON finished.sitting = sittings.seq WHERE observer = "
-                               "? AND session = ?",
-                               {key.observer.value, std::int64_t{key.session}});
-    }
-
-    void refuse_if_begun(const SittingKey& key) const {
-        const auto found = find(key);
-        if (found.empty())
-            return;
-        if (std::holds_alternative<std::string>(found[0][2]))
-            throw complaint(key, fmt::format("is finished (begun on {}); its votes stand, expected "
-                                             "another session number",
-                                             text_of(found[0][1])));
-        throw complaint(key, fmt::format("was begun on {} and is not finished; expected to go on "
-                                         "with it",
-                                         text_of(found[0][1])));
-    }
-
-    void refuse_mixed_observer(const SittingStart& start) const {
-        const auto found =
-            database_.query("SELECT session FROM sittings WHERE observer = ? AND "
-                            "(simulation IS NOT NULL) <> ?",
-                            {start.key.observer.value, std::int64_t{start.simulation.has_value()}});
-        if (!found.empty())
-            throw complaint(
-                start.key,
-                fmt::format("would be {}, but session {} was {}; expected another observer",
-                            start.simulation ? "simulated" : "a person's", integer_of(found[0][0]),
-                            start.simulation ? "a person's" : "simulated"));
-    }
-
-    // The number of a sitting that may still be written to.
-    std::int64_t open_sitting(const SittingKey& key) const {
-        const auto found = find(key);
-        if (found.empty())
-            throw complaint(key, "was never begun");
-        if (std::holds_alternative<std::string>(found[0][2]))
-            throw complaint(key, "is finished; nothing can be added to it");
-        return integer_of(found[0][0]);
-    }
-
-    std::string
-    phase_of_trial(const SittingKey& key, std::int64_t sitting, std::int64_t trial) const {
-        const auto found = database_.query(
-            "SELECT phase FROM planned WHERE sitting = ? AND trial = ?", {sitting, trial});
-        if (found.empty())
-            throw complaint(key, fmt::format("has no trial {} in its plan", trial));
-        return text_of(found[0][0]);
-    }
-
-    void refuse_vote(const SittingKey& key, std::int64_t sitting, std::int64_t trial) const {
-        const auto has = [&](const char* table) {
-            return !database_
-                        .query(
-                            fmt::format("SELECT 1 FROM {} WHERE sitting = ? AND trial = ?", table),
-                            {sitting, trial})
-                        .empty();
-        };
-        const auto phase = phase_of_trial(key, sitting, trial);
-        if (phase != word_of(protocols::Phase::Main))
-            throw complaint(
-                key, fmt::format("cannot keep a vote for trial {}, which is {}", trial, phase));
-        if (!has("shown"))
-            throw complaint(key, fmt::format("cannot keep a vote for trial {}, which was not "
-                                             "recorded as shown",
-                                             trial));
-        if (has("votes"))
-            throw complaint(key, fmt::format("has a vote for trial {} already", trial));
-        if (!database_
-                 .query("SELECT 1 FROM events WHERE sitting = ? AND kind = ? AND detail = ?",
-                        {sitting, std::string(missing_vote), std::to_string(trial)})
-                 .empty())
-            throw complaint(key, fmt::format("has trial {} on record as missing", trial));
     }
 
     SqliteDatabase database_;

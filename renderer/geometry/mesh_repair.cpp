@@ -143,6 +143,29 @@ double enclosed_volume(const Mesh& mesh) {
     return signed_volume(cover_openings(mesh).mesh);
 }
 
+/// Thickness over diameter that is none: single precision puts the vertices of a flat sheet about
+/// the origin up to 6e-8 of its diameter beside it.
+constexpr double least_thickness = 1e-7;
+
+/// Why a closed or covered surface has no inside, "" when it has one.
+std::string why_empty(const PreparedMesh& prepared) {
+    const auto& report = prepared.report;
+    const double volume = enclosed_volume(prepared.mesh);
+    const double diameter = glm::distance(report.low, report.high);
+    const double least = least_thickness * diameter * report.area;
+    if (volume > least)
+        return {};
+    if (volume < -least)
+        return fmt::format("the surface faces inward: it encloses a volume of {:.6g}, expected "
+                           "more than 0; turn its triangles in a mesh editor (flip the normals), "
+                           "counter-clockwise seen from outside",
+                           volume);
+    return fmt::format("the surface is a sheet without an inside: it encloses a volume of {:.6g}, "
+                       "expected more than {:.2g} for its diameter of {:.6g}; give it a thickness "
+                       "in a mesh editor, or choose a closed model",
+                       volume, least, diameter);
+}
+
 void flip(Mesh& mesh) {
     for (auto& triangle : mesh.triangles)
         std::swap(triangle[1], triangle[2]);
@@ -186,10 +209,8 @@ Expected<PreparedMesh> prepare(Mesh mesh, std::string_view name, const RepairOpt
             may_gape ? ", take what it winds around for its inside (holes = \"winding\" in its "
                        "[[scene]], or --holes winding)"
                      : ""));
-    const double volume = enclosed_volume(prepared.mesh);
-    if (!(volume > 0))
-        return tl::unexpected(fmt::format(
-            "{}: the surface encloses a volume of {:.6g}, expected more than 0", name, volume));
+    if (const auto why = why_empty(prepared); !why.empty())
+        return tl::unexpected(fmt::format("{}: {}", name, why));
     return prepared;
 }
 

@@ -97,6 +97,11 @@ Expected<Reader> open(const fs::path& file) {
     Reader reader = ImageInput::open(file.string());
     if (!reader)
         return refusal(file, "is not a picture that can be read: " + one_line(OIIO::geterror()));
+    // A header may claim any size: memory for it is asked for only where that can be true.
+    if (const auto& spec = reader->spec(); spec.width > longest_edge || spec.height > longest_edge)
+        return refusal(file, fmt::format("is {}x{} pixels, expected at most {} along an edge; "
+                                         "make it smaller, or save it anew if it is not",
+                                         spec.width, spec.height, longest_edge));
     return reader;
 }
 
@@ -218,6 +223,12 @@ Expected<std::vector<std::uint16_t>> read_codes(const fs::path& file, ImageInput
 }
 
 } // namespace
+
+Expected<FileSize> size_in_file(const fs::path& file) {
+    return open(file).map([](const Reader& reader) {
+        return FileSize{reader->spec().width, reader->spec().height};
+    });
+}
 
 Expected<void>
 write_exr(const fs::path& file, const LinearImage& image, const std::vector<TextEntry>& texts) {

@@ -30,6 +30,17 @@ struct FileImage {
     std::string colour_remark;
 };
 
+/// Of the pictures that are read, pixels: what a study can ask for.
+constexpr int longest_edge = 16384;
+
+struct FileSize {
+    int width = 0, height = 0;
+};
+
+/// The size that a picture's file says it has, before any pixel is read.
+/// Errors: the file is missing, no picture, or beyond `longest_edge`, as for every reader below.
+Expected<FileSize> size_in_file(const std::filesystem::path& file);
+
 /// Writes half-precision RGBA EXR, linear, colours premultiplied.
 /// Errors: the folder or file cannot be written; a pixel that half cannot hold (not finite, or
 ///         above 65504), named.  EXPECTS on sizes.

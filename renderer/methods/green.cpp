@@ -147,6 +147,25 @@ GreenSettings settings_from(const Dials& dials) {
     return {.depth_map = static_cast<int>(whole_in(dials, "depth_map")), .law = law_of(dials)};
 }
 
+// Several lights keep a map each, and a software renderer keeps them in the machine's memory.
+constexpr double most_map_bytes = 4.0 * (1U << 30U);
+
+// As dials, 64 layers of 16384 x 16384 are right one by one, and 69 GB together.
+std::optional<DialProblem> refuse_map(const Dials& dials) {
+    const auto edge = static_cast<double>(whole_in(dials, "depth_map"));
+    const auto layers = static_cast<double>(whole_in(dials, "layers"));
+    const double layer_bytes = edge * edge * sizeof(float);
+    if (layers * layer_bytes <= most_map_bytes)
+        return std::nullopt;
+    return DialProblem{
+        "layers",
+        fmt::format("is {:.0f} of {:.0f} x {:.0f} texels, a map of {:.1f} GiB for every "
+                    "light, expected at most {:.0f} GiB: {:.0f} layers, or a smaller "
+                    "depth_map",
+                    layers, edge, edge, layers * layer_bytes / (1U << 30U),
+                    most_map_bytes / (1U << 30U), std::floor(most_map_bytes / layer_bytes))};
+}
+
 Expected<std::unique_ptr<Method>> prepare_for(const GreenSettings& settings,
                                               const Subject& subject) {
     return field_with_d_n(settings.law, subject).and_then([&](const auto& field) {
@@ -210,6 +229,7 @@ Description describe_green_peel() {
                     settings.map = PeeledMap{static_cast<int>(whole_in(dials, "layers"))};
                     return prepare_for(settings, subject);
                 },
+            .refuse = refuse_map,
             .sweep = one_at_a_time({{"depth_map", {256, 512, 1024}}, {"layers", {2, 4}}}),
             .scatters_by_thickness = true};
 }

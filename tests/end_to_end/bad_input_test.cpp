@@ -227,4 +227,23 @@ TEST_F(BadInput, OffersWithoutADisplayOnlyWhatTheCommandCanDo) {
     EXPECT_THAT(pairlight({"session", path(), "--observer", "P1"}).err, HasSubstr("--simulate"));
 }
 
+TEST(Program, NamesTheCommandThatThereIsNot) {
+    const auto misspelt = pairlight({"anayze", "votes.csv"});
+    EXPECT_EQ(misspelt.status, 1);
+    EXPECT_EQ(misspelt.err, "pairlight: there is no command 'anayze' (did you mean 'analyze'?); "
+                            "`pairlight --help` lists them\n");
+    EXPECT_EQ(pairlight({"my-study"}).err,
+              "pairlight: there is no command 'my-study'; `pairlight --help` lists them\n");
+    EXPECT_EQ(pairlight({"--help"}).status, 0);
+}
+
+TEST(Program, SaysWhereOwnPicturesGo) {
+    const TemporaryFolder folder;
+    const auto made = pairlight({"init", (folder / "own").string(), "--template", "own-images"});
+    EXPECT_EQ(made.status, 0);
+    EXPECT_THAT(made.err, AllOf(HasSubstr("put the pictures where it says"), HasSubstr("import")));
+    EXPECT_THAT(pairlight({"check", (folder / "own").string()}).out,
+                HasSubstr("3 scenes, one way to show each: 3 pairs a sitting, one sitting"));
+}
+
 } // namespace

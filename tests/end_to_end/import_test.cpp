@@ -40,6 +40,21 @@ TEST_F(Import, KeepsEveryCodeOfAPng) {
     EXPECT_EQ(pairlight({"check", study.path().string()}).status, 0);
 }
 
+// A picture of another size is refused by its beginning; the rest, not there here, is not looked
+// at.
+TEST_F(Import, AnotherSizeIsSeenBeforeThePixelsAre) {
+    imaging::EncodedImage wide{3000, 1000, 8, {}};
+    wide.codes.assign(3 * 3000 * 1000, 77);
+    const auto file = study / "originals/harbour/first.png";
+    ASSERT_TRUE(imaging::write_png(file, wide));
+    write_file(file, read_file(file).substr(0, 200));
+    EXPECT_THAT(take().err, HasSubstr("is 3000x1000 pixels, the study says 200x150"));
+    std::filesystem::copy(study / "originals", study / "stimuli",
+                          std::filesystem::copy_options::recursive);
+    EXPECT_THAT(pairlight({"check", study.path().string()}).err,
+                HasSubstr("is 3000x1000 pixels, the study says 200x150"));
+}
+
 // Equal within a scene, for that is what is seen side by side; scenes may differ.
 TEST_F(Import, TakesEachScenesPicturesInTheirOwnSize) {
     for (const auto* condition : {"first", "second", "third"}) {

@@ -58,6 +58,17 @@ TEST_F(Observers, AreNotRegisteredByHalf) {
     EXPECT_FALSE(std::filesystem::exists(folder / "votes.sqlite")) << "a refusal left a store";
 }
 
+TEST_F(Observers, AreNotAskedWhatTheStudyDoesNotAsk) {
+    write_small_study(folder.path());
+    const auto asked = program({"register", "--observer", "P1", "--answer", "acuity=1"});
+    EXPECT_NE(asked.status, 0);
+    EXPECT_THAT(asked.err, testing::AllOf(HasSubstr("--answer acuity=1: " + folder.path().string() +
+                                                    " asks its observers nothing"),
+                                          HasSubstr("expected no --answer")));
+    EXPECT_FALSE(std::filesystem::exists(folder / "votes.sqlite")) << "a refusal left a store";
+    EXPECT_EQ(program({"register", "--observer", "P1"}).status, 0);
+}
+
 TEST_F(Observers, LeaveForAReasonAndSitSoonerForOne) {
     ASSERT_EQ(program({"session", "--observer", "S1", "--simulate", ""}).status, 0);
     const auto gone = program({"withdraw", "--observer", "S1", "--reason", " ", "--for-good"});

@@ -53,7 +53,7 @@ TEST_F(RoundTrip, TheLongTableCarriesEverything) {
 
 TEST_F(RoundTrip, TheOtherFormsCarryAllButSidesOrderAndTimes) {
     const auto before = findings(study.path().string());
-    for (const auto* form : {"matrices", "pwcmp", "pairs", "paired-comparison"}) {
+    for (const auto* form : {"matrices", "pwcmp", "pairs", "paired-comparison", "sureal"}) {
         const auto after = findings(exported(form));
         for (const auto* part : {"anova", "paper_score", "ranking", "friedman_observer_means"}) {
             ASSERT_TRUE(before.contains(part)) << part;

@@ -336,14 +336,14 @@ TEST(StudyFile, WithAMaterialDefinedTwiceOverIsRefused) {
 TEST(StudyFile, WithAnImpossibleMediumIsToldTheRange) {
     const std::string range = "expected three numbers [r, g, b] or one for all, each from ";
     EXPECT_EQ(complaint(with_material("sigma_a = [1, -1, 1]\nsigma_s_reduced = 1\n")),
-              "23: sigma_a in [[material]] is a list, " + range + "0 to 1000000");
+              "23: sigma_a in [[material]] is [1, -1, 1], " + range + "0 to 1000000");
     for (const std::string bad : {"[1, 1]", "[1, 1, nan]", "nan", "\"red\"", "true", "inf"})
         EXPECT_THAT(complaint(with_material("sigma_a = 1\nsigma_s_reduced = " + bad + "\n")),
                     testing::AllOf(testing::StartsWith("24: sigma_s_reduced in [[material]] is "),
                                    testing::HasSubstr(range)))
             << bad;
     EXPECT_EQ(complaint(with_material("colour = [0.5, 1.1, 0.5]\nmean_free_path_mm = 1\n")),
-              "23: colour in [[material]] is a list, " + range + "0 to 1");
+              "23: colour in [[material]] is [0.5, 1.1, 0.5], " + range + "0 to 1");
     EXPECT_THAT(complaint(with_material("colour = 0.5\nmean_free_path_mm = 0\n")),
                 testing::StartsWith("24: mean_free_path_mm in [[material]] is 0, expected"));
     EXPECT_THAT(
@@ -382,9 +382,9 @@ TEST(StudyFile, GivesASceneItsSizeInOneWay) {
 TEST(StudyFile, WithADirectionThatIsNoneIsRefused) {
     for (const std::string direction :
          {"[0, 0, 0]", "[1, 2]", "[1, 2, 3, 4]", "[nan, 0, 1]", "[inf, 0, 1]", "[\"x\", 0, 1]"})
-        EXPECT_EQ(
-            complaint(minimal + "[[variant]]\nid = \"back\"\nto_light = " + direction + "\n"),
-            "23: to_light in [[variant]] is a list, expected three numbers [x, y, z], not all zero")
+        EXPECT_EQ(complaint(minimal + "[[variant]]\nid = \"back\"\nto_light = " + direction + "\n"),
+                  "23: to_light in [[variant]] is " + direction +
+                      ", expected three numbers [x, y, z], not all zero")
             << direction;
     EXPECT_THAT(complaint(changed("model = \"bunny\"", "model = \"bunny\"\nup = \"z\"")),
                 testing::StartsWith("12: up in [[scene]] is \"z\", expected three numbers"));
@@ -431,7 +431,9 @@ TEST(StudyFile, WithADialItsMethodCannotTakeIsRefused) {
     EXPECT_EQ(with("bands = 9"), "17: bands in [[condition]] is 9, expected less");
     EXPECT_EQ(with("colour = \"red\""), "17: colour in [[condition]] is no dial of shss");
     EXPECT_EQ(with("bands = [1, 2]"),
-              "17: bands in [[condition]] is a list, expected a number, or text in quotes");
+              "17: bands in [[condition]] is [1, 2], expected a number, or text in quotes");
+    EXPECT_THAT(with("bands = [1, 2, [], 4, 5]"),
+                testing::StartsWith("17: bands in [[condition]] is [1, 2, [], 4, ...], expected"));
     EXPECT_EQ(complaint(changed("method = \"phong\"", "method = \"phong\"\nbands = 3")),
               "21: bands in [[condition]] is no dial of phong");
     EXPECT_EQ(complaint(changed("method = \"phong\"", "source = \"images\"\nlaw = \"paper\"")),
@@ -511,7 +513,7 @@ TEST(StudyFile, WithALightThatIsNoneIsRefused) {
     EXPECT_THAT(with("[[variant.light]]\nintensity = [1, 1, 1]\n"),
                 testing::HasSubstr("has no 'to_light'"));
     EXPECT_THAT(with("[[variant.light]]\nto_light = [0, 0, 1]\nintensity = [1, -1, 1]\n"),
-                testing::HasSubstr("is a list, expected three numbers"));
+                testing::HasSubstr("is [1, -1, 1], expected three numbers"));
     EXPECT_EQ(with("light = []\n"), "23: 0 lights in [[variant]], expected 1 to 8");
 }
 

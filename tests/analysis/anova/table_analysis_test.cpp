@@ -295,4 +295,48 @@ TEST(TableAnalysis, ADunnettOfTwoLevelsIsAPlainT) {
     EXPECT_NEAR(found.levels->dunnett->pairs[0].p, found.levels->t[0].p, 1e-14);
 }
 
+// 1e155 squared is no double, and neither are sums of squares of 1e-165: such values are analysed
+// in another unit, which is said.
+TEST(TableAnalysis, ValuesWhoseSquaresAreNoNumbersAreAnalysedInAnotherUnit) {
+    const auto in_units_of = [](int exponent, const MeasurementColumns& columns) {
+        std::string text = "y,m,o\n";
+        for (const auto* value :
+             {"1|,a,P1", "2|,a,P2", "3.5|,b,P1", "5|,b,P2", "6|,c,P1", "9.5|,c,P2"}) {
+            std::string row = value;
+            text += row.replace(row.find('|'), 1, fmt::format("e{}", exponent)) + "\n";
+        }
+        return analysis_of(text, columns);
+    };
+    for (const auto& columns :
+         {MeasurementColumns{"y", {"m"}, ""}, MeasurementColumns{"y", {"m"}, "o"}}) {
+        const auto plain = in_units_of(0, columns);
+        EXPECT_EQ(plain.unit_exponent, 0);
+        for (const int exponent : {-3000, -400, -165, -101, 101, 155, 170, 308, 400, 3000}) {
+            const auto found = in_units_of(exponent, columns);
+            EXPECT_EQ(found.unit_exponent, exponent);
+            EXPECT_EQ(found.total.ss, plain.total.ss); // of the same digits
+            EXPECT_EQ(found.residual.ss, plain.residual.ss);
+            EXPECT_EQ(found.residual_sd, plain.residual_sd);
+            EXPECT_EQ(found.grand_mean, plain.grand_mean);
+            EXPECT_EQ(found.terms[0].test.f, plain.terms[0].test.f);
+            EXPECT_EQ(found.terms[0].test.p, plain.terms[0].test.p);
+            EXPECT_THAT(found.notes, testing::Contains(HasSubstr(fmt::format(
+                                         "everything here is of y / 1e{0}: means, differences and "
+                                         "deviations want to be multiplied by 1e{0}, sums and "
+                                         "means of squares by 1e{1}",
+                                         exponent, 2 * exponent))));
+            EXPECT_THAT(table_text(found),
+                        testing::StartsWith(fmt::format("y / 1e{} by m", exponent)));
+            EXPECT_EQ(json::parse(table_json(found, ""))["unit_exponent"], exponent);
+        }
+        for (const int exponent : {-100, 100}) {
+            const auto found = in_units_of(exponent, columns);
+            EXPECT_EQ(found.unit_exponent, 0);
+            EXPECT_TRUE(std::isnormal(found.total.ss));
+            EXPECT_TRUE(std::isnormal(found.residual.ss));
+            EXPECT_FALSE(json::parse(table_json(found, "")).contains("unit_exponent"));
+        }
+    }
+}
+
 } // namespace

@@ -1,5 +1,6 @@
 // What is exported is read back as the same votes.  The long table's own trip is tested where it is
 // written, and the whole way through the program in tests/end_to_end.
+#include "analysis/formats/sureal_writer.h"
 #include "analysis/formats/vote_files.h"
 #include "analysis/formats/vote_writers.h"
 #include "analysis/vote_matrix.h"
@@ -149,6 +150,82 @@ TEST(RoundTrip, PairsOfAPsychotoolsTableComeInItsOrder) {
     auto colon = empty_vote_table({});
     append_vote(colon, {.observer = "O", .session = "1", .left = "a:1", .right = "b"});
     EXPECT_THAT(formats::paired_comparison_csv(colon).error(), HasSubstr("'a:1' has a colon"));
+}
+
+// The form knows no sessions: each observer's first is left.
+VoteTable one_session(const VoteTable& all) {
+    auto table = empty_vote_table(all.factor_names);
+    for (std::size_t vote = 0; vote < all.size(); ++vote)
+        if (all.sessions.name(all.session[vote]) == "1")
+            append_vote(table, {.observer = all.observers.name(all.observer[vote]),
+                                .session = "1",
+                                .scene = {all.factors[0].name(all.factor[0][vote]),
+                                          all.factors[1].name(all.factor[1][vote])},
+                                .left = all.conditions.name(all.left[vote]),
+                                .right = all.conditions.name(all.right[vote]),
+                                .chosen = all.chosen[vote]});
+    return table;
+}
+
+TEST(RoundTrip, ADataSetOfSurealGivesBackEveryCountAndEveryName) {
+    for (const bool simulated : {false, true}) {
+        auto votes = one_session(awkward_votes());
+        votes.simulated = simulated;
+        const auto script = formats::sureal_script(votes).value();
+        const auto back = read_vote_file(script, "v.py");
+        ASSERT_TRUE(back) << back.error() << script;
+        EXPECT_EQ(back->size(), votes.size());
+        EXPECT_EQ(back->simulated, simulated);
+        EXPECT_EQ(back->factor_names, votes.factor_names);
+        EXPECT_GT(count_votes(*back).total_ties(), 0);
+        EXPECT_EQ(counts_of(*back), counts_of(votes));
+        EXPECT_THAT(back->notes, Contains(HasSubstr("which condition was on the left")));
+        EXPECT_THAT(back->notes, Contains("conditions are called as their entries say"));
+    }
+}
+
+// What sureal's own reader wants: numbers from 0 without gaps, keys of a text and a number, and no
+// entry of a loser.  Conditions that begin as their content does keep their names.
+TEST(RoundTrip, ADataSetOfSurealIsWrittenAsItsReaderWantsIt) {
+    auto votes = empty_vote_table({"scene"});
+    votes.study = "it's";
+    votes.simulated = true;
+    append_vote(votes,
+                {.observer = "A", .session = "1", .scene = {"a"}, .left = "ab", .right = "ac"});
+    append_vote(votes, {.observer = "B",
+                        .session = "1",
+                        .scene = {"a"},
+                        .left = "ab",
+                        .right = "ac",
+                        .chosen = Choice::Tie});
+    const auto script = formats::sureal_script(votes).value();
+    EXPECT_EQ(script, R"(dataset_name = 'it\'s'
+simulated = True
+
+ref_videos = [
+ {'content_id': 0, 'content_name': 'a', 'path': 'a', 'scene': {'scene': 'a'}},
+]
+
+dis_videos = [
+ {'asset_id': 0, 'content_id': 0, 'condition': 'ab', 'path': 'a/ab.png',
+  'os': {('A', 1): 1, ('B', 1): 0.5}},
+ {'asset_id': 1, 'content_id': 0, 'condition': 'ac', 'path': 'a/ac.png',
+  'os': {('B', 0): 0.5}},
+]
+)");
+    EXPECT_EQ(read_vote_file(script, "v.py").value().conditions.names(),
+              (std::vector<std::string>{"ab", "ac"}));
+}
+
+TEST(RoundTrip, WhatADataSetOfSurealCannotHoldIsRefused) {
+    EXPECT_EQ(formats::sureal_script(awkward_votes()).error(),
+              "P1 compared plain and with, comma of bunny/back, low 2 times: this form holds one "
+              "answer of an observer; export pairs instead");
+    EXPECT_THAT(formats::sureal_script(empty_vote_table({})).error(), HasSubstr("no votes"));
+    auto flat = empty_vote_table({});
+    append_vote(flat, {.observer = "A", .session = "1", .left = "x", .right = "y"});
+    const auto back = read_vote_file(formats::sureal_script(flat).value(), "v.py").value();
+    EXPECT_EQ(counts_of(back), counts_of(flat)); // no scene, and none is made up
 }
 
 // Sums over opponents: nothing can give back who was chosen over whom.

@@ -150,6 +150,20 @@ TEST(VoteFiles, WideRowsHaveAColumnPerPair) {
     EXPECT_EQ(wide.factor_names, std::vector<std::string>{"scene"});
 }
 
+TEST(VoteFiles, AColumnSaidTwiceIsRefused) {
+    const auto wide = [](const std::string& text) {
+        const auto table = read_vote_file(text, "w.csv", VoteFormat::PairedComparison);
+        return table ? "no error" : table.error();
+    };
+    EXPECT_EQ(wide("observer,x:y,x:y\nP1,1,1\n"),
+              "w.csv:1: column 'x:y' says the same as 'x:y' before it, expected each pair and each "
+              "name once");
+    EXPECT_THAT(wide("1:2,V12\n1,1\n"), HasSubstr("'V12' says the same as '1:2'"));
+    EXPECT_THAT(wide("observer,subject,x:y\nP1,P2,1\n"), HasSubstr("'subject' says the same"));
+    EXPECT_THAT(wide("light,light,x:y\na,b,1\n"), HasSubstr("'light' says the same"));
+    EXPECT_EQ(wide("x:y,y:x\n1,1\n"), "no error"); // asked both ways round
+}
+
 // The golden votes in four of these forms give one matrix.
 TEST(VoteFiles, EveryFormOfTheSameVotesGivesTheSameMatrix) {
     const auto golden = golden_votes();

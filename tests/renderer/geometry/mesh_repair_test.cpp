@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <cmath>
+
 namespace {
 
 using namespace renderer::geometry;
@@ -149,7 +151,56 @@ TEST(Prepare, RefusesWhatEnclosesNothing) {
     EXPECT_THAT(error_of({{{0, 0, 0}, {1, 0, 0}}, {{0, 1, 0}}}),
                 HasSubstr("no triangle has an area"));
     const Mesh two_sides{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
-    EXPECT_THAT(error_of(two_sides), HasSubstr("encloses a volume of 0, expected more than 0"));
+    EXPECT_THAT(error_of(two_sides),
+                HasSubstr("a sheet without an inside: it encloses a volume of 0, expected more"));
+}
+
+std::string error_with_openings(const Mesh& mesh) {
+    const auto prepared = prepare(mesh, "a.off", {.holes = Holes::ByWinding});
+    return prepared ? "no error" : prepared.error();
+}
+
+// Rounding gives some tilted sheets a volume above 0: that is no inside either.
+TEST(Prepare, RefusesOpenSheetsHoweverTheyLie) {
+    for (int lie = 0; lie < 40; ++lie) {
+        const double turn = 0.1 * lie;
+        const glm::dvec3 x(std::cos(turn), std::sin(turn), 0),
+            y(-std::sin(turn) * std::cos(lie), std::cos(turn) * std::cos(lie), std::sin(lie));
+        Mesh sheet;
+        constexpr std::uint32_t n = 6;
+        for (std::uint32_t i = 0; i <= n; ++i)
+            for (std::uint32_t j = 0; j <= n; ++j) // as a file of single precision has them
+                sheet.positions.emplace_back(glm::vec3(0.1 * i * x + 0.1 * j * y));
+        for (std::uint32_t i = 0; i < n; ++i)
+            for (std::uint32_t j = 0; j < n; ++j) {
+                const auto a = i * (n + 1) + j, b = a + n + 1;
+                sheet.triangles.push_back({a, b, a + 1});
+                sheet.triangles.push_back({b, b + 1, a + 1});
+            }
+        EXPECT_THAT(error_with_openings(sheet),
+                    testing::AllOf(HasSubstr("a.off: the surface is a sheet without an inside"),
+                                   HasSubstr("give it a thickness in a mesh editor")))
+            << lie;
+    }
+    const std::vector<glm::dvec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                          {0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+    for (const Triangle& upper : {Triangle{3, 4, 5}, Triangle{3, 5, 4}})
+        EXPECT_THAT(error_with_openings({corners, {{0, 1, 2}, upper}}), HasSubstr("a sheet"));
+}
+
+TEST(Prepare, SaysHowAnOpenBodyThatFacesInwardIsMended) {
+    auto cup = slab(1, 1, 1, 1);
+    cup.triangles.pop_back();
+    cup.triangles.pop_back();
+    EXPECT_EQ(error_with_openings(cup), "no error");
+    for (auto& triangle : cup.triangles)
+        std::swap(triangle[1], triangle[2]);
+    EXPECT_EQ(error_with_openings(cup),
+              "a.off: the surface faces inward: it encloses a volume of -1, expected more than 0; "
+              "turn its triangles in a mesh editor (flip the normals), counter-clockwise seen from "
+              "outside");
+    // A hair is thin, but has an inside.
+    EXPECT_EQ(error_with_openings(slab(1e-4, 1e-4, 1, 1)), "no error");
 }
 
 } // namespace

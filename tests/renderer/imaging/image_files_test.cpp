@@ -215,6 +215,46 @@ TEST_F(ImageFiles, AreNeverReadInPart) {
     }
 }
 
+// A PNG whose header says another size than its pixels have, its checksum mended.
+std::string claiming(std::string png, std::uint32_t width, std::uint32_t height) {
+    const auto put = [&](std::size_t at, std::uint32_t number) {
+        for (std::size_t byte = 0; byte < 4; ++byte)
+            png[at + byte] = static_cast<char>(number >> (24 - 8 * byte) & 0xFFU);
+    };
+    put(16, width);
+    put(20, height);
+    std::uint32_t rest = 0xFFFFFFFFU; // of the division of "IHDR" and its 13 bytes
+    for (std::size_t at = 12; at < 29; ++at) {
+        rest ^= static_cast<unsigned char>(png[at]);
+        for (int bit = 0; bit < 8; ++bit)
+            rest = (rest >> 1U) ^ ((rest & 1U) != 0 ? 0xEDB88320U : 0U);
+    }
+    put(29, ~rest);
+    return png;
+}
+
+TEST_F(ImageFiles, ThatClaimToBeHugeAreRefusedByTheirHeader) {
+    const auto png = png_bytes(ramp(8)).value();
+    write_text(file("huge.png"), claiming(png, 60000, 60000));
+    const auto refusal = file("huge.png").string() +
+                         ": is 60000x60000 pixels, expected at most 16384 along an edge; make it "
+                         "smaller, or save it anew if it is not";
+    EXPECT_EQ(read_encoded(file("huge.png")).error(), refusal);
+    EXPECT_EQ(size_in_file(file("huge.png")).error(), refusal);
+    EXPECT_EQ(read_texts(file("huge.png")).error(), refusal);
+    write_text(file("long.png"), claiming(png, 7, 16385));
+    EXPECT_THAT(read_encoded(file("long.png")).error(), HasSubstr("is 7x16385 pixels"));
+}
+
+TEST_F(ImageFiles, SayTheirSizeBeforeAnyPixelIsRead) {
+    write_text(file("claims.png"), claiming(png_bytes(ramp(8)).value(), 5000, 4000));
+    const auto size = size_in_file(file("claims.png"));
+    ASSERT_TRUE(size) << size.error();
+    EXPECT_EQ(size->width, 5000);
+    EXPECT_EQ(size->height, 4000);
+    EXPECT_THAT(read_encoded(file("claims.png")).error(), HasSubstr("is damaged"));
+}
+
 TEST_F(ImageFiles, RefuseTransparencyAndNameThePixel) {
     std::vector<std::uint8_t> samples(4 * 6, 255);
     const OIIO::ImageSpec spec(3, 2, 4, OIIO::TypeDesc::UINT8);

@@ -1,6 +1,7 @@
 #include "renderer/geometry/bodies.h"
 #include "renderer/geometry/crossings.h"
 #include "renderer/geometry/ray_scene.h"
+#include "renderer/methods/catalogue.h"
 #include "renderer/methods/green.h"
 #include "tests/renderer/geometry/assembly.h"
 #include "tests/renderer/methods/known_worlds.h"
@@ -506,6 +507,21 @@ TEST_F(Green, SaysWhatItCannotPrepare) {
                 testing::StartsWith("a depth map of 1048576 x 1048576 texels"));
     EXPECT_EQ(error({.law = Law::Paper}),
               "the paper's law divides by D_n, expected a thickness field");
+}
+
+// By the dials alone, long before anything is drawn.
+TEST(GreenPeel, RefusesMapsThatNoMachineHolds) {
+    const auto refused = [](std::int64_t layers, std::int64_t depth_map) {
+        const auto dials =
+            methods::complete_for("green-peel", {{"layers", layers}, {"depth_map", depth_map}});
+        return dials ? "no error" : dials.error().dial + " " + dials.error().what;
+    };
+    EXPECT_EQ(refused(64, 16384),
+              "layers is 64 of 16384 x 16384 texels, a map of 64.0 GiB for every light, expected at "
+              "most 4 GiB: 4 layers, or a smaller depth_map");
+    EXPECT_EQ(refused(4, 16384), "no error");
+    EXPECT_THAT(refused(5, 16384), testing::HasSubstr("a map of 5.0 GiB"));
+    EXPECT_EQ(refused(64, 4096), "no error");
 }
 
 TEST_F(Green, DrawsTheMeshOnceMoreForEveryLight) {
