@@ -105,7 +105,8 @@ Tally batch_mean(Walk<1>& walk,
     for (std::uint32_t sample = 0; sample < (1u << log2_batch); ++sample) {
         PathRandom random({seed, high, low, sample, log2_batch}, strata);
         if (const auto path = setting.start(random, tracer)) {
-            walk.follow(*path, random);
+            walk.start(*path);
+            walk.follow(random);
             ++met;
         }
     }

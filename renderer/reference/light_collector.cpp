@@ -33,7 +33,8 @@ double share_of_turn(double disc, double turn_density) {
 
 /// By how much `likely`, the share of a sun's light that passes the likely depth, may be wrong.
 double doubt(double sigma, const DepthGuess& depth, double likely) {
-    const double most = std::exp(-sigma * depth.least), apart = sigma * depth.spread;
+    const double most = depth.least > 0 ? std::exp(-sigma * depth.least) : 1;
+    const double apart = sigma * depth.spread;
     const double nearby = std::min(most, likely * (1 + 2 * apart));
     return doubt_anywhere * most + std::min(1.0, doubt_of_spread * apart) * nearby;
 }

@@ -75,7 +75,6 @@ Counts trace_pixels(const Picture& picture,
     const int log2_paths = std::clamp(film.log2_batch - log2_least_lines, 0, tactics.log2_paths);
     const int log2_lines = film.log2_batch - log2_paths;
     const std::uint32_t samples = 1u << film.log2_batch, paths = 1u << log2_paths;
-    std::vector<Stretch> ahead;
     Counts counts;
     for (std::size_t pixel = first; pixel < last; ++pixel) {
         const auto number = static_cast<std::uint32_t>(pixel);
@@ -84,13 +83,12 @@ Counts trace_pixels(const Picture& picture,
             const auto [x, y] = strata.in_pixel(s / paths, log2_lines);
             const auto path = eye.path<N>(static_cast<double>(pixel % width) + x,
                                           static_cast<double>(pixel / width) + y);
-            const auto met = tracer->along(path.position, path.direction, Side::Outside);
-            if (met.empty())
+            if (tracer->along(path.position, path.direction, Side::Outside).empty())
                 continue;
-            ahead.assign(met.begin(), met.end());
+            walk.start(path);
             for (std::uint32_t i = s; i < s + paths; ++i) {
                 PathRandom random({film.seed, number, film.batches, i, film.log2_batch}, strata);
-                walk.follow(path, ahead, random);
+                walk.follow(random);
             }
             batches[pixel].covered += paths;
             counts.paths += paths;

@@ -11,6 +11,8 @@ namespace renderer::reference {
 
 double henyey_greenstein(double cosine, double g) {
     EXPECTS(std::abs(g) <= 0.999);
+    if (g == 0)
+        return 1 / (4 * std::numbers::pi);
     // 1 + g^2 - 2 g cos, without the difference that leaves ten digits at g = 0.999
     const double size = std::abs(g), turned = 1 - std::copysign(1.0, g) * cosine;
     const double square = (1 - size) * (1 - size) + 2 * size * turned;

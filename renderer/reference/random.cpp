@@ -25,8 +25,8 @@ constexpr std::uint32_t reversed(std::uint32_t x) {
 }
 
 // Flips every bit by a hash of the bits above it: Owen's scramble.  [Burley2020, section 4]
-constexpr std::uint32_t owen(std::uint32_t x, std::uint32_t seed) {
-    x = reversed(x);
+// Takes the bits the other way round.
+constexpr std::uint32_t owen_of_reversed(std::uint32_t x, std::uint32_t seed) {
     x ^= x * 0x3d20adeau;
     x += seed;
     x *= (seed >> 16) | 1u;
@@ -65,7 +65,7 @@ constexpr Directions sobol_directions() {
     return v;
 }
 
-/// The points with one byte of the index set; the others are their sums.
+/// The points with one byte of the index set, bits the other way round; the others are their sums.
 struct ByteTable {
     std::array<std::array<std::uint32_t, 4>, 256> low{}, high{};
 };
@@ -77,8 +77,8 @@ constexpr ByteTable sums_of_directions() {
         for (unsigned d = 0; d < 4; ++d)
             for (unsigned i = 0; i < 8; ++i)
                 if ((byte >> i) & 1u) {
-                    table.low[byte][d] ^= v[d][i];
-                    table.high[byte][d] ^= v[d][i + 8];
+                    table.low[byte][d] ^= reversed(v[d][i]);
+                    table.high[byte][d] ^= reversed(v[d][i + 8]);
                 }
     return table;
 }
@@ -110,11 +110,12 @@ scrambled_sobol(std::uint32_t index, int log2_count, const Words& scrambles, std
     EXPECTS(log2_count >= 0 && log2_count <= 16);
     EXPECTS(index < (1u << log2_count));
     const auto bits = static_cast<unsigned>(log2_count);
-    const std::uint32_t shuffled = bits == 0 ? 0 : owen(index << (32 - bits), order) >> (32 - bits);
+    const std::uint32_t shuffled =
+        bits == 0 ? 0 : owen_of_reversed(reversed(index << (32 - bits)), order) >> (32 - bits);
     const auto &low = points.low[shuffled & 255u], &high = points.high[shuffled >> 8];
     std::array<double, 4> point{};
     for (unsigned d = 0; d < 4; ++d)
-        point[d] = unit * owen(low[d] ^ high[d], scrambles[d]);
+        point[d] = unit * owen_of_reversed(low[d] ^ high[d], scrambles[d]);
     return point;
 }
 

@@ -112,34 +112,44 @@ Walk<N>::Walk(const Medium& medium,
 }
 
 template <std::size_t N>
-void Walk<N>::follow(const Path<N>& path, PathRandom& random) {
-    ahead_.clear();
-    if (forces_first(path)) {
-        const auto ahead = tracer_.along(path.position, path.direction, side_of(path));
-        ahead_.assign(ahead.begin(), ahead.end());
-    }
-    follow(path, ahead_, random);
+void Walk<N>::start(const Path<N>& path) {
+    start_ = path;
+    forces_first_ =
+        boundary_.kind == BoundaryKind::Matched && tactics_.force_first && !path.is_inside;
+    if (forces_first_)
+        look_ahead();
 }
 
 template <std::size_t N>
-bool Walk<N>::forces_first(const Path<N>& path) const {
-    return boundary_.kind == BoundaryKind::Matched && tactics_.force_first && !path.is_inside;
-}
-
-template <std::size_t N>
-void Walk<N>::follow(Path<N> path, std::span<const Stretch> ahead, PathRandom& random) {
+void Walk<N>::follow(PathRandom& random) {
+    Path<N> path = start_;
     if constexpr (N > 1)
         path.hero = std::min(N - 1, static_cast<std::size_t>(random.next() * N));
     const bool is_matched = boundary_.kind == BoundaryKind::Matched;
     Fate fate = Fate::Goes;
-    if (forces_first(path))
-        fate = force_collision(path, ahead, random);
+    if (forces_first_)
+        fate = force_collision(path, random);
     while (fate == Fate::Goes) {
         if (is_matched)
             fate = fly_straight(path, random);
         else
             fate = path.is_inside ? fly_bounded(path, random) : approach(path, random);
     }
+}
+
+/// What all paths from the start have in common.
+template <std::size_t N>
+void Walk<N>::look_ahead() {
+    const auto ahead = tracer_.along(start_.position, start_.direction, side_of(start_));
+    ahead_.assign(ahead.begin(), ahead.end());
+    whole_ = covered_by(ahead_);
+    Spectrum<N> passing;
+    for (std::size_t k = 0; k < N; ++k) {
+        passing[k] = transmittance(sigma_t_[k], whole_);
+        colliding_[k] = sigma_t_[k] == 0 ? 0 : -std::expm1(-sigma_t_[k] * whole_);
+    }
+    passing_ = start_;
+    advance(passing_, passing, all_ones<N>(), {}); // the same for any hero
 }
 
 template <std::size_t N>
@@ -178,46 +188,29 @@ typename Walk<N>::Fate Walk<N>::fly_straight(Path<N>& path, PathRandom& random) 
     return Fate::Ends;
 }
 
-/// The part of the path that covers `length` without colliding, and is out.
-template <std::size_t N>
-void Walk<N>::score_escape(Path<N> path, double length) const {
-    if (std::isinf(length))
-        return;
-    Spectrum<N> passing;
-    for (std::size_t k = 0; k < N; ++k)
-        passing[k] = transmittance(sigma_t_[k], length);
-    advance(path, passing, all_ones<N>(), {});
-    path.is_inside = false;
-    events_.escaped(path);
-}
-
 /// Matched, from outside: what passes unscattered is known exactly; the rest collides inside.
 template <std::size_t N>
-typename Walk<N>::Fate
-Walk<N>::force_collision(Path<N>& path, std::span<const Stretch> ahead, PathRandom& random) {
-    const double whole = covered_by(ahead);
-    score_escape(path, whole);
-    if (whole == 0)
+typename Walk<N>::Fate Walk<N>::force_collision(Path<N>& path, PathRandom& random) {
+    if (!std::isinf(whole_))
+        events_.escaped(passing_);
+    if (whole_ == 0)
         return Fate::Ends;
-
-    Spectrum<N> colliding; // 1 - e^(-sigma whole)
-    for (std::size_t k = 0; k < N; ++k)
-        colliding[k] = sigma_t_[k] == 0 ? 0 : -std::expm1(-sigma_t_[k] * whole);
     const double u = random.next(), sigma_h = sigma_t_[path.hero];
-    if (sigma_h == 0 && std::isinf(whole))
+    if (sigma_h == 0 && std::isinf(whole_))
         return Fate::Ends;
-    const double length = sigma_h * whole < thin
-                              ? u * whole
-                              : std::min(whole, -std::log1p(-u * colliding[path.hero]) / sigma_h);
+    const double length = sigma_h * whole_ < thin
+                              ? u * whole_
+                              : std::min(whole_, -std::log1p(-u * colliding_[path.hero]) / sigma_h);
     Spectrum<N> scattered, absorbed, density;
     for (std::size_t k = 0; k < N; ++k) {
         const double reaching = transmittance(sigma_t_[k], length);
         scattered[k] = sigma_s_[k] * reaching;
         absorbed[k] = sigma_a_[k] * reaching;
-        density[k] = sigma_t_[k] * whole < thin ? 1 / whole : sigma_t_[k] * reaching / colliding[k];
+        density[k] =
+            sigma_t_[k] * whole_ < thin ? 1 / whole_ : sigma_t_[k] * reaching / colliding_[k];
     }
     const auto stays = advance(path, scattered, density, absorbed);
-    path.position += along_stretches(ahead, length) * path.direction;
+    path.position += along_stretches(ahead_, length) * path.direction;
     path.is_inside = true;
     return turn(path, stays, random);
 }

@@ -14,7 +14,6 @@
 
 #include <glm/vec3.hpp>
 
-#include <span>
 #include <vector>
 
 namespace renderer::reference {
@@ -82,28 +81,26 @@ class Walk {
          WalkEvents<N>& events,
          const WalkTactics& tactics = {});
 
-    /// Follows a path that starts outside or inside until it escapes or fades.
-    void follow(const Path<N>& path, PathRandom& random);
+    /// Where the paths that are followed start, outside or inside, and what they carry.
+    void start(const Path<N>& path);
 
-    /// The same where what the tracer says of the path's first line is known already; `ahead` is a
-    /// copy, for the tracer will be asked other questions.
-    void follow(Path<N> path, std::span<const Stretch> ahead, PathRandom& random);
+    /// Follows one path from there until it escapes or fades.
+    void follow(PathRandom& random);
 
   private:
     enum class Fate { Goes, Ends };
 
-    bool forces_first(const Path<N>& path) const;
+    void look_ahead();
     double flight(const Path<N>& path, PathRandom& random) const;
     Fate fly_straight(Path<N>& path, PathRandom& random);
     Fate fly_bounded(Path<N>& path, PathRandom& random);
-    Fate force_collision(Path<N>& path, std::span<const Stretch> ahead, PathRandom& random);
+    Fate force_collision(Path<N>& path, PathRandom& random);
     Fate approach(Path<N>& path, PathRandom& random);
     bool is_deep(const Path<N>& path);
     Fate cross(Path<N>& path, double distance, PathRandom& random);
     Fate cross_smooth(Path<N>& path, glm::dvec3 facing, double index, PathRandom& random);
     Fate cross_rough(Path<N>& path, glm::dvec3 facing, double index, PathRandom& random);
     void pass(Path<N>& path, double length) const;
-    void score_escape(Path<N> path, double length) const;
     Fate collide(Path<N>& path, double length, PathRandom& random);
     Fate turn(Path<N>& path, const Spectrum<N>& absorbed, PathRandom& random);
     void choose_direction(Path<N>& path, PathRandom& random) const;
@@ -112,11 +109,17 @@ class Walk {
     Boundary boundary_;
     BodyTracer& tracer_;
     WalkEvents<N>& events_;
-    std::vector<Stretch> ahead_; // of the path that is followed
     WalkTactics tactics_;
     double offset_;
     double index_;
     Spectrum<N> sigma_t_{}, sigma_s_{}, sigma_a_{};
+
+    Path<N> start_;
+    bool forces_first_ = false;  // matched, and from outside; then of the first line:
+    std::vector<Stretch> ahead_; // inside
+    double whole_ = 0;           // length of that
+    Spectrum<N> colliding_{};    // 1 - e^(-sigma whole)
+    Path<N> passing_;            // what comes out without a collision
 };
 
 extern template class Walk<1>;

@@ -100,7 +100,8 @@ TEST(Walk, TurnsByTheMeanCosineThatWasAsked) {
         Walk<1> walk(medium, matched, *body, *tracer, tally);
         for (std::uint32_t i = 0; i < 1000; ++i) {
             PathRandom random({7, i, 0, 0, 0});
-            walk.follow({.position = {0, 0, -1e6}, .is_inside = true}, random);
+            walk.start({.position = {0, 0, -1e6}, .is_inside = true});
+            walk.follow(random);
         }
         ASSERT_GT(tally.turns, 30'000);
         EXPECT_EQ(tally.lost, 0);
@@ -245,7 +246,8 @@ walk_all(const geometry::Mesh& mesh, const Medium& medium, const Boundary& bound
     std::uint32_t number = 0;
     for (const auto& path : awkward_paths(mesh, *tracer)) {
         PathRandom random({1, number++, 0, 0, 0});
-        walk.follow(path, random);
+        walk.start(path);
+        walk.follow(random);
     }
     paths = static_cast<int>(number);
     return tally;

@@ -145,7 +145,8 @@ TEST(Colours, WalkedTogetherAreThoseWalkedAlone) {
                     const double u = random.next();
                     const double c = std::sqrt(1 - u), t = 6.283185307179586 * random.next();
                     path.direction = {std::sqrt(u) * std::cos(t), std::sqrt(u) * std::sin(t), -c};
-                    walk.follow(path, random);
+                    walk.start(path);
+                    walk.follow(random);
                 }
                 for (std::size_t k = 0; k < 3; ++k) {
                     const double x = tally.sum[k] / 64;
