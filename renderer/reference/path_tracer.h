@@ -22,7 +22,7 @@ struct TracerTactics {
     double light_threshold = 0.1;
     /// So many paths, 2^log2_paths, follow each line of sight, unless a batch then has fewer than
     /// four lines in a pixel.
-    int log2_paths = 4;
+    int log2_paths = 3;
 };
 
 /// A translucent body, its light and who looks at it.

@@ -96,7 +96,7 @@ std::vector<Choice> choices() {
     forced.walk.force_first = true;
     list.push_back({"+ forced first collision", forced, 6});
     auto sharing = forced;
-    for (const int log2_paths : {2, 4}) {
+    for (const int log2_paths : {2, 4, 3}) {
         sharing.log2_paths = log2_paths;
         list.push_back({fmt::format("+ {} paths a line of sight", 1 << log2_paths), sharing, 6});
     }
@@ -296,7 +296,7 @@ int run(const std::vector<std::string>& words) {
     else if (what == "furnace" && words.size() == 4)
         furnace(words[1], std::stoi(words[2]), static_cast<std::uint32_t>(std::stoi(words[3])));
     else if (what == "tactics" && words.size() == 1)
-        tactics_table(24, 256, 3);
+        tactics_table(48, 128, 3);
     else {
         fmt::print(stderr,
                    "usage: reference_bench tactics|studies|scaling, furnace MODEL PIXELS BATCHES, "
