@@ -25,9 +25,6 @@ namespace {
 // Pixels of one task: enough to forget its start, few enough to keep all threads busy to the end.
 constexpr std::size_t pixels_in_task = 256;
 
-// Edges want lines of sight, dark interiors paths.
-constexpr int log2_least_lines = 2;
-
 /// The line of sight through any point of the picture.
 class Eye {
   public:
@@ -72,7 +69,7 @@ Counts trace_pixels(const Picture& picture,
     Walk<N> walk(picture.medium, picture.boundary, *picture.body, *tracer, collector, tactics.walk);
     const Eye eye(picture.camera, film.width, film.height);
     const auto width = static_cast<std::size_t>(film.width);
-    const int log2_paths = std::clamp(film.log2_batch - log2_least_lines, 0, tactics.log2_paths);
+    const int log2_paths = tactics.share_lines ? (film.log2_batch + 1) / 2 : 0;
     const int log2_lines = film.log2_batch - log2_paths;
     const std::uint32_t samples = 1u << film.log2_batch, paths = 1u << log2_paths;
     Counts counts;

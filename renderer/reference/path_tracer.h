@@ -20,9 +20,9 @@ struct TracerTactics {
     /// A collision asks for the lights with a probability that falls with what they could add at
     /// most: below this weight, in proportion.  0: always.
     double light_threshold = 0.1;
-    /// So many paths, 2^log2_paths, follow each line of sight, unless a batch then has fewer than
-    /// four lines in a pixel.
-    int log2_paths = 3;
+    /// Lines of sight are shared: as many paths follow each as there are lines in a pixel's batch,
+    /// or twice as many.
+    bool share_lines = true;
 };
 
 /// A translucent body, its light and who looks at it.

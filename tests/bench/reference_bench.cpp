@@ -85,8 +85,9 @@ struct Choice {
     int log2_batch;
 };
 
-const TracerTactics plain{
-    .walk = {.roulette_after = 32, .force_first = false}, .light_threshold = 0, .log2_paths = 0};
+const TracerTactics plain{.walk = {.roulette_after = 32, .force_first = false},
+                          .light_threshold = 0,
+                          .share_lines = false};
 
 std::vector<Choice> choices() {
     std::vector<Choice> list{{"plain", plain, 0}};
@@ -96,10 +97,8 @@ std::vector<Choice> choices() {
     forced.walk.force_first = true;
     list.push_back({"+ forced first collision", forced, 6});
     auto sharing = forced;
-    for (const int log2_paths : {2, 4, 3}) {
-        sharing.log2_paths = log2_paths;
-        list.push_back({fmt::format("+ {} paths a line of sight", 1 << log2_paths), sharing, 6});
-    }
+    sharing.share_lines = true;
+    list.push_back({"+ 8 paths a line of sight", sharing, 6});
     for (const double threshold : {0.03, 0.1, 0.3}) {
         auto t = sharing;
         t.light_threshold = threshold;
@@ -111,6 +110,10 @@ std::vector<Choice> choices() {
         t.walk.roulette_after = after;
         list.push_back({fmt::format("+ roulette after {}", after), t, 6});
     }
+    auto all = sharing;
+    all.light_threshold = 0.1;
+    list.push_back({"+ batches of 16, 4 paths a line", all, 4});
+    list.push_back({"+ batches of 256, 16 paths a line", all, 8});
     return list;
 }
 
@@ -269,12 +272,14 @@ void one_scene(const std::string& name,
                const std::string& mask_file) {
     const auto picture = bench::comparison_picture(name, model).picture;
     Film outline = blank_film(pixels, pixels, 1, 6);
-    measure(picture, outline, 2, {.log2_paths = 0}); // a line of sight for each sample
+    measure(picture, outline, 2, {.share_lines = false}); // a line of sight for each sample
     const auto mask = write_mask(outline, mask_file);
+    const int log2_batch = static_cast<int>(std::log2(samples)) - 1; // two a seed
     double variance = 0, cpu = 0, average = 0;
     for (int s = 1; s <= seeds; ++s) {
-        Film film = blank_film(pixels, pixels, static_cast<std::uint64_t>(s), 6);
-        const auto y = measure(picture, film, static_cast<std::uint32_t>(samples / 64), {}, mask);
+        Film film = blank_film(pixels, pixels, static_cast<std::uint64_t>(s), log2_batch);
+        const auto y =
+            measure(picture, film, static_cast<std::uint32_t>(samples >> log2_batch), {}, mask);
         variance += y.variance / seeds;
         cpu += y.cpu / seeds;
         average += y.mean / seeds;
@@ -296,7 +301,7 @@ int run(const std::vector<std::string>& words) {
     else if (what == "furnace" && words.size() == 4)
         furnace(words[1], std::stoi(words[2]), static_cast<std::uint32_t>(std::stoi(words[3])));
     else if (what == "tactics" && words.size() == 1)
-        tactics_table(48, 128, 3);
+        tactics_table(48, 256, 3);
     else {
         fmt::print(stderr,
                    "usage: reference_bench tactics|studies|scaling, furnace MODEL PIXELS BATCHES, "
