@@ -46,11 +46,17 @@ grey_picture(const renderer::geometry::Mesh& mesh,
             renderer::frame({diameter}, table, 1)};
 }
 
-/// "sphere-sky", "sphere-back": radius 5; "model-back": `model` of diameter 20.
+/// "sphere-sky", "sphere-exact" under the same sky, "sphere-back": radius 5; "model-back": `model`
+/// of diameter 20.
 inline NamedPicture comparison_picture(const std::string& name, const std::string& model) {
     const auto back = sun_toward({0, 0.3, -1});
     if (name == "sphere-sky")
         return {name, grey_picture(renderer::geometry::sphere(1, 5), 10, 0, even_sky)};
+    if (name == "sphere-exact") { // no triangles
+        auto exact = grey_picture(renderer::geometry::sphere(1, 5), 10, 0, even_sky);
+        exact.body = renderer::reference::make_sphere(5);
+        return {name, std::move(exact)};
+    }
     if (name == "sphere-back")
         return {name, grey_picture(renderer::geometry::sphere(1, 5), 10, 0, back)};
     return {name, grey_picture(load_mesh(model), 20, 180, back)};
