@@ -20,7 +20,7 @@ struct Setting {
     const renderer::methods::Description* method = nullptr;
     renderer::methods::Dials dials;
     std::string words; ///< what is not preset
-    int one_of = 1;    ///< so many of the mesh's triangles is kept
+    int one_of = 1;    ///< one of so many of the mesh's triangles is kept
 };
 
 /// "triangles 1/4".
@@ -28,10 +28,11 @@ std::string level_words(int one_of);
 
 /// Which settings are measured.
 struct Sweep {
-    std::vector<std::string> methods;    ///< by their names; empty: all
-    std::string law = "physical";        ///< of every method that has one
-    bool presets_only = false;           ///< nothing of what follows, nor of the methods' sweeps
-    std::vector<int> one_of = {2, 4, 8}; ///< triangles, one is kept: meshes beside the whole one
+    std::vector<std::string> methods; ///< by their names; empty: all
+    std::string law = "physical";     ///< of every method that has one
+    bool presets_only = false;        ///< nothing of what follows, nor of the methods' sweeps
+    std::vector<int> one_of = {
+        2, 4, 8}; ///< of so many triangles one is kept: meshes beside the whole one
 };
 
 /// The presets of every method, its sweep, and its presets on every simplified mesh.

@@ -95,7 +95,9 @@ for_each_level(const LoadedModel& model,
     };
     if (auto done = visit_mesh(1, model, 0); !done)
         return done;
+    std::erase(one_of, 1); // that was the whole mesh
     std::ranges::sort(one_of);
+    one_of.erase(std::ranges::unique(one_of).begin(), one_of.end());
     double seconds = 0;
     std::optional<Expected<geometry::Simplifier>> simplifier;
     for (const int share : one_of) {

@@ -51,6 +51,8 @@ Expected<double> HeldOutThickness::error_of(methods::Method& method) const {
     if (unknown > 0)
         return tl::make_unexpected(
             fmt::format("the thickness is no number at {} of {} pixels", unknown, test.size()));
+    if (std::ranges::all_of(truth, [](double length) { return length == 0; }))
+        return tl::make_unexpected("the exact thickness is 0 at every pixel");
     return relative_rms(test, truth);
 }
 

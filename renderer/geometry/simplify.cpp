@@ -2,7 +2,6 @@
 // the same.
 #include "renderer/geometry/simplify.h"
 
-#include "renderer/contract.h"
 #include "renderer/geometry/mesh_report.h"
 
 #include <fmt/format.h>
@@ -13,7 +12,6 @@
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>

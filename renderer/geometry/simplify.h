@@ -21,7 +21,7 @@ class Simplifier {
     Simplifier& operator=(Simplifier&&) noexcept;
     ~Simplifier();
 
-    /// The mesh with at most `triangles`, and no more than two below that: closed, facing outward,
+    /// The mesh with at most `triangles`, and no more than one below that: closed, facing outward,
     /// of as many pieces, cavities and handles as before.  Every vertex is one of the original's,
     /// where it was, in their order; deterministic.
     /// Errors: the surface cannot do with so few without losing a piece, a handle or its volume.

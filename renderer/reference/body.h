@@ -5,8 +5,6 @@
 
 #include <glm/vec3.hpp>
 
-#include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 
@@ -58,8 +56,8 @@ class Body {
     /// on its side.  0 where arithmetic is exact enough.
     virtual double offset() const = 0;
 
-    /// Bounds on the length inside toward a unit direction, made once for each direction that is
-    /// asked for; the body must outlive them.  Null where there are none.
+    /// What is known without a ray of the length inside toward a unit direction, made once for each
+    /// direction that is asked for; the body must outlive it.  Null where nothing is.
     virtual std::shared_ptr<const SunwardDepth> sunward_depth(glm::dvec3 to_light) const;
 };
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace renderer::reference {
 
@@ -52,7 +53,9 @@ Convergence judge(const Film& film, const std::vector<std::size_t>& mask, const 
         double worst = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const double allowed = std::max(rule.relative * average[k], rule.of_mean * light);
-            const double quotient = allowed > 0 ? t * error[k] / allowed : 0;
+            const double quotient = error[k] == 0 ? 0
+                                    : allowed > 0 ? t * error[k] / allowed
+                                                  : std::numeric_limits<double>::infinity();
             worst = std::max(worst, quotient * quotient);
             squares += error[k] * error[k] / (3 * static_cast<double>(mask.size()));
         }
@@ -64,7 +67,9 @@ Convergence judge(const Film& film, const std::vector<std::size_t>& mask, const 
     const auto last = static_cast<std::size_t>(rule.share * static_cast<double>(mask.size() - 1));
     std::ranges::nth_element(excess, excess.begin() + static_cast<std::ptrdiff_t>(last));
     state.needed_batches = std::max<double>(rule.least_batches, film.batches * excess[last]);
-    state.relative_error = light > 0 ? std::sqrt(squares) / light : 0;
+    state.relative_error = squares == 0 ? 0
+                           : light > 0  ? std::sqrt(squares) / light
+                                        : std::numeric_limits<double>::infinity();
     state.converged = film.batches >= rule.least_batches && state.good_share >= rule.share;
     return state;
 }

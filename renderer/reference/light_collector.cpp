@@ -35,6 +35,7 @@ double share_of_turn(double disc, double turn_density) {
 double doubt(double sigma, const DepthGuess& depth, double likely) {
     const double most = depth.least > 0 ? std::exp(-sigma * depth.least) : 1;
     const double apart = sigma * depth.spread;
+    // e^apart to first order, twice over: the true depth may lie beyond those nearby.
     const double nearby = std::min(most, likely * (1 + 2 * apart));
     return doubt_anywhere * most + std::min(1.0, doubt_of_spread * apart) * nearby;
 }

@@ -25,8 +25,9 @@ struct LitBody {
 template <std::size_t N>
 class LightCollector final : public WalkEvents<N> {
   public:
-    /// A collision asks for each sun and lamp with a probability that falls with what it could add
-    /// at most: below `light_threshold`, in proportion.
+    /// A collision asks for a lamp or a disc with a probability that falls with what it could add
+    /// at most, and for a sun whose depth is guessed with one that falls with what the guess may
+    /// miss: below `light_threshold`, in proportion.  0: always.
     LightCollector(const LitBody& lit, BodyTracer& tracer, double light_threshold);
 
     void collided(const Path<N>& path, const Spectrum<N>& absorbed, PathRandom& random) override;

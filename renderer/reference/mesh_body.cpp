@@ -48,7 +48,7 @@ class MeshTracer final : public BodyTracer {
         const glm::vec3 origin = scene_from(point), along(direction);
         const auto far = static_cast<float>(length / scene_.model_per_scene());
         if (far < clearance_.at(origin))
-            return true;
+            return !clearance_.is_surely_outside(origin);
         const glm::vec3 end = origin + far * along;
         return !clearance_.is_surely_outside(end) &&
                (clearance_.is_surely_inside(end) || clearance_.is_surely_inside(origin)) &&

@@ -18,7 +18,7 @@ namespace renderer::reference {
 struct TracerTactics {
     WalkTactics walk;
     /// A collision asks for the lights with a probability that falls with what they could add at
-    /// most: below this weight, in proportion.  0: always.
+    /// most, or what a guess of them may miss: below this weight, in proportion.  0: always.
     double light_threshold = 0.1;
     /// Lines of sight are shared: as many paths follow each as there are lines in a pixel's batch,
     /// or twice as many.

@@ -48,8 +48,8 @@ glm::dvec3 around(glm::dvec3 axis, double cosine, double turn) {
 glm::dvec3 on_sphere(double u, double turn) {
     const double cosine = 2 * u - 1;
     const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-    // In float, as rays are traced, for a twentieth of a walk's time; the vector's length is mended
-    // by a step of Newton's, to 1e-14.
+    // In float, as rays are traced, which saves a twentieth of a walk's time; the vector's length
+    // is mended by a step of Newton's, to 1e-14.
     const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(turn);
     const double x = static_cast<double>(std::cos(angle)), y = static_cast<double>(std::sin(angle));
     const double stretched = sine * (1.5 - 0.5 * (x * x + y * y));

@@ -21,7 +21,8 @@ double sample_henyey_greenstein(double u, double g);
 /// of a circle.
 glm::dvec3 around(glm::dvec3 axis, double cosine, double turn);
 
-/// A unit vector, uniform over the sphere for uniform `u` and `turn` in [0, 1); turned to 1e-7.
+/// A unit vector, uniform over the sphere for uniform `u` and `turn` in [0, 1); turned to
+/// 1e-7 of a circle.
 glm::dvec3 on_sphere(double u, double turn);
 
 } // namespace renderer::reference

@@ -1,6 +1,6 @@
 // Random numbers by counting: the n-th number of a path is a function of (seed, pixel, batch,
-// sample, n) alone, so that a picture is the same for any order of its pixels and any number of
-// threads.
+// the batch's size, sample, n) alone, so that a picture is the same for any order of its pixels and
+// any number of threads.
 //
 // Lines of sight are stratified over a pixel, the first numbers of the paths behind them over all
 // the paths of a batch, where that pays (first flights and turns); the rest are independent.

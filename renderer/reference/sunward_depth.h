@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace renderer::reference {
@@ -19,7 +18,7 @@ namespace renderer::reference {
 struct DepthGuess {
     double least = 0;  ///< surely no less
     double likely = 0; ///< between the rays nearby
-    double spread = 0; ///< how far those rays are apart
+    double spread = 0; ///< how far those rays are apart, and the surface in between
 };
 
 /// Guesses for any point and one direction: a grid along that direction, whose columns a ray does

@@ -9,14 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace renderer::reference {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr double isotropic = 1 / (4 * std::numbers::pi);
 
@@ -206,8 +203,9 @@ typename Walk<N>::Fate Walk<N>::force_collision(Path<N>& path, PathRandom& rando
         const double reaching = transmittance(sigma_t_[k], length);
         scattered[k] = sigma_s_[k] * reaching;
         absorbed[k] = sigma_a_[k] * reaching;
-        density[k] =
-            sigma_t_[k] * whole_ < thin ? 1 / whole_ : sigma_t_[k] * reaching / colliding_[k];
+        density[k] = sigma_t_[k] == 0 && std::isinf(whole_) ? 0
+                     : sigma_t_[k] * whole_ < thin          ? 1 / whole_
+                                                   : sigma_t_[k] * reaching / colliding_[k];
     }
     const auto stays = advance(path, scattered, density, absorbed);
     path.position += along_stretches(ahead_, length) * path.direction;

@@ -67,7 +67,8 @@ class WalkEvents {
 /// What a walk does to be quick; no choice changes what it finds on average.
 struct WalkTactics {
     int roulette_after = 32; ///< collisions
-    bool force_first = true; ///< matched: every first flight collides, what passes is exact
+    bool force_first =
+        true; ///< matched: every first flight from outside collides, what passes is exact
 };
 
 template <std::size_t N>
@@ -117,7 +118,7 @@ class Walk {
     Path<N> start_;
     bool forces_first_ = false;  // matched, and from outside; then of the first line:
     std::vector<Stretch> ahead_; // inside
-    double whole_ = 0;           // length of that
+    double whole_ = 0;           // length of that, the body's units; may be infinite
     Spectrum<N> colliding_{};    // 1 - e^(-sigma whole)
     Path<N> passing_;            // what comes out without a collision
 };

@@ -78,6 +78,13 @@ Yield measure(const Picture& picture,
     return yield;
 }
 
+/// The same pixels for whatever is compared: a line of sight for each sample says which.
+std::vector<std::size_t> mask_of(const Picture& picture, int pixels) {
+    Film outline = blank_film(pixels, pixels, 1, 6);
+    measure(picture, outline, 2, {.share_lines = false});
+    return whole_pixels(outline);
+}
+
 struct Choice {
     std::string name;
     TracerTactics tactics;
@@ -131,6 +138,7 @@ void tactics_table(int pixels, int samples, int repeats) {
     std::string names;
     for (const auto& [name, picture] : judging_pictures()) {
         std::vector<std::vector<double>> ratio(list.size());
+        const auto mask = mask_of(picture, pixels);
         for (int r = 0; r < repeats; ++r) {
             double of_plain = 0;
             for (std::size_t i = 0; i < list.size(); ++i) {
@@ -138,7 +146,7 @@ void tactics_table(int pixels, int samples, int repeats) {
                                        list[i].log2_batch);
                 const auto batches = static_cast<std::uint32_t>(samples >> list[i].log2_batch);
                 const double efficiency =
-                    measure(picture, film, batches, list[i].tactics).efficiency();
+                    measure(picture, film, batches, list[i].tactics, mask).efficiency();
                 of_plain = i == 0 ? efficiency : of_plain;
                 ratio[i].push_back(efficiency / of_plain);
             }
@@ -166,7 +174,7 @@ void studies(int pixels, std::uint32_t batches) {
                batches << 4);
     for (const auto& [name, picture] : bench::study_pictures()) {
         Film film = blank_film(pixels, pixels, 1);
-        const auto y = measure(picture, film, batches, {});
+        const auto y = measure(picture, film, batches, {}, mask_of(picture, pixels));
         const double error = y.relative_error();
         fmt::print("| {} | {:.3g} | {:.2f} % | {:.3g} | {:.3g} |\n", name, y.samples / y.wall,
                    100 * error, y.wall * std::pow(error / 0.01, 2),

@@ -157,7 +157,8 @@ Case corners(const std::string& what, const reference::Boundary& boundary) {
                 continue;
             const auto direction = glm::normalize(way);
             reference::PathRandom random({5, number++, 0, 0, 0});
-            walk.follow({.position = vertex - 4.0 * direction, .direction = direction}, random);
+            walk.start({.position = vertex - 4.0 * direction, .direction = direction});
+            walk.follow(random);
             worst.see(escape.taken(), 1);
         }
     return worst.result();

@@ -181,11 +181,27 @@ TEST(Lamp, FarAwayIsASunAndLightsAdd) {
 
 TEST(LightThreshold, ChangesNothingOnAverage) {
     const auto body = std::shared_ptr<const Body>(make_mesh_body(geometry::sphere(1, 4)));
-    const auto picture = picture_of(body, 2, grey_medium(5, 0.9, 0, 1), sun_from({0, 0.3, -1}));
-    const auto always = mean_of(film_after(picture, 12, 32, {.light_threshold = 0}));
-    const auto seldom = mean_of(film_after(picture, 12, 32, {.light_threshold = 1}));
-    EXPECT_LE(std::abs(always.value - seldom.value),
-              4 * std::hypot(always.standard_error, seldom.standard_error));
+    const auto grey = grey_medium(5, 0.9, 0, 1);
+    const Medium coloured{{0.5, 0.1, 2}, {4.5, 1.9, 6}, 0, 1};
+    for (const auto& medium : {grey, coloured}) {
+        const auto picture = picture_of(body, 2, medium, sun_from({0, 0.3, -1}));
+        const auto always = mean_of(film_after(picture, 12, 32, {.light_threshold = 0}));
+        const auto seldom = mean_of(film_after(picture, 12, 32, {.light_threshold = 1}));
+        EXPECT_LE(std::abs(always.value - seldom.value),
+                  4 * std::hypot(always.standard_error, seldom.standard_error));
+    }
+}
+
+// Four paths on each line of sight or one: the same picture.
+TEST(SharedLines, ChangeNothingOnAverage) {
+    const auto body =
+        std::shared_ptr<const Body>(make_mesh_body(geometry::torus(0.7, 0.3, 24, 12)));
+    const Medium medium{{0.5, 0.1, 2}, {4.5, 1.9, 6}, 0, 1};
+    const auto picture = picture_of(body, 2, medium, sun_from({0, 0.3, -1}));
+    const auto alone = mean_of(film_after(picture, 12, 32, {.share_lines = false}));
+    const auto shared = mean_of(film_after(picture, 12, 32));
+    EXPECT_LE(std::abs(alone.value - shared.value),
+              4 * std::hypot(alone.standard_error, shared.standard_error));
 }
 
 bool same_bits(const Film& a, const Film& b) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -63,6 +64,46 @@ TEST(PathRandom, DependsOnItsNameAlone) {
         const auto a = numbers(name, 100), b = numbers(other, 100);
         for (std::size_t i = 0; i < a.size(); ++i)
             EXPECT_NE(a[i], b[i]) << i;
+    }
+}
+
+// Only some paths draw numbers apart: what the others are must not depend on it.
+TEST(PathRandom, NumbersApartLeaveTheSequenceAlone) {
+    const PathRandom::Name name{1, 2, 3, 4, 5};
+    const auto alone = numbers(name, 40);
+    PathRandom random(name);
+    constexpr int count = 100'000;
+    double sum = 0, squares = 0;
+    for (int i = 0; i < count; ++i) {
+        const double apart = random.next_apart();
+        ASSERT_TRUE(apart >= 0 && apart < 1);
+        sum += apart;
+        squares += apart * apart;
+        if (i < 40) {
+            EXPECT_EQ(random.next(), alone[static_cast<std::size_t>(i)]);
+            EXPECT_NE(apart, alone[static_cast<std::size_t>(i)]);
+        }
+    }
+    // 4 standard errors of the mean and of the mean square of uniform numbers
+    EXPECT_NEAR(sum / count, 0.5, 4 * std::sqrt(1.0 / 12 / count));
+    EXPECT_NEAR(squares / count, 1.0 / 3, 4 * std::sqrt(4.0 / 45 / count));
+}
+
+// One in every elementary rectangle of the pixel, and others in the next batch.
+TEST(Strata, SpreadLinesOfSightOverThePixel) {
+    constexpr int log2_lines = 4;
+    const Strata strata(1, 2, 3), next(1, 2, 4);
+    for (int wide = 0; wide <= log2_lines; ++wide) {
+        std::array<int, 1 << log2_lines> points{};
+        for (std::uint32_t line = 0; line < points.size(); ++line) {
+            const auto [x, y] = strata.in_pixel(line, log2_lines);
+            const auto column = static_cast<std::size_t>(std::ldexp(x, wide));
+            const auto row = static_cast<std::size_t>(std::ldexp(y, log2_lines - wide));
+            ++points[(row << wide) + column];
+            EXPECT_NE(x, next.in_pixel(line, log2_lines)[0]);
+        }
+        for (const int in_cell : points)
+            EXPECT_EQ(in_cell, 1);
     }
 }
 

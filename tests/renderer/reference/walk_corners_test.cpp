@@ -44,6 +44,7 @@ TEST(Directions, AreUnitAtBothEndsOfTheRandomNumbers) {
         for (const double v : {0.0, greatest_float, greatest_drawn}) {
             for (const double g : {-0.999, 0.0, 0.999})
                 EXPECT_NEAR(glm::length(around(up, sample_henyey_greenstein(u, g), v)), 1, 1e-14);
+            EXPECT_NEAR(glm::length(on_sphere(u, v)), 1, 1e-13); // a step of Newton's from float
             EXPECT_NEAR(glm::length(sample(sun, u, v)), 1, 1e-14);
             for (const double index : {1.5, 1 / 1.5})
                 for (const double w : {0.0, greatest_float, greatest_drawn}) {
