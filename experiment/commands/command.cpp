@@ -25,7 +25,13 @@ constexpr std::array<std::string_view, 4> kept_by_studies{"study.toml", "instruc
 
 void refuse_to_overwrite(const fs::path& path, const fs::path& input) {
     std::error_code ignored;
-    const bool is_input = fs::exists(path, ignored) && fs::equivalent(path, input, ignored);
+    // A folder on the way that is not there yet will be made: then the words alone say what it is.
+    const auto spelled = [&](const fs::path& p) {
+        return fs::weakly_canonical(fs::absolute(p, ignored).lexically_normal(), ignored);
+    };
+    const bool is_input =
+        !input.empty() && ((fs::exists(path, ignored) && fs::equivalent(path, input, ignored)) ||
+                           (fs::exists(input, ignored) && spelled(path) == spelled(input)));
     const bool is_kept = fs::exists(path, ignored) &&
                          std::ranges::count(kept_by_studies, path.filename().string()) > 0;
     if (is_input || is_kept)

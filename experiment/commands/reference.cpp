@@ -135,6 +135,9 @@ void run(Options& options, const CLI::App& command) {
     if (fs::path(options.out).extension() != ".exr")
         throw CommandError(fmt::format("{}: expected a name that ends in .exr", options.out));
     refuse_what_changes_nothing(options, command);
+    if (options.boundary != "rough")
+        expect_not_given(command, {"--roughness"},
+                         "is of a rough boundary; --boundary is " + options.boundary);
     if (options.seconds > 0)
         options.rule.time_budget = std::chrono::duration<double>(options.seconds);
     const auto subject =
@@ -219,8 +222,9 @@ void add_reference(CLI::App& program) {
         ->check(within(1e-5, 1.0))
         ->capture_default_str();
     command
-        ->add_option("--seconds", options->seconds,
-                     "Stop after so long with the best picture so far")
+        ->add_option(
+            "--seconds", options->seconds,
+            "Stop after so long with the best picture so far; 0: only when it is good enough")
         ->check(within(0.0, 1e9));
     command->add_option("--seed", options->seed, "Seed of the random numbers")
         ->capture_default_str();

@@ -2,6 +2,7 @@
 #include "experiment/commands/reference_energy.h"
 
 #include "experiment/commands/command.h"
+#include "experiment/commands/given_options.h"
 #include "experiment/commands/within.h"
 #include "experiment/energy_json.h"
 #include "experiment/models.h"
@@ -47,6 +48,20 @@ reference::Boundary boundary_of(const Options& options) {
         boundary.kind = *reference::boundary_kind(options.boundary);
     value_or_stop(reference::check_reachable({}, boundary));
     return boundary;
+}
+
+/// What would change nothing, and whoever gave it would not know.
+void refuse_what_changes_nothing(const Options& options, const CLI::App& command) {
+    const auto boundary = boundary_of(options);
+    if (options.boundary == "matched" && options.problem.index != 1)
+        expect_not_given(command, {"--index"},
+                         "bends no light through a matched boundary; leave one of them out");
+    if (boundary.kind != BoundaryKind::Rough)
+        expect_not_given(command, {"--roughness"}, "is of a rough boundary; add --boundary rough");
+    for (const auto* given : command.get_parent()->get_options())
+        if (given->count() > 0)
+            throw CommandError(fmt::format("{} is for a picture; leave it out beside {}",
+                                           given->get_name(), command.get_name()));
 }
 
 /// The optical thickness is that of the bounding sphere's radius, as a sphere's is.
@@ -163,7 +178,10 @@ void add_shape(CLI::App& reference, const char* name, const char* description, E
         ->capture_default_str();
     command->add_option("--json", options->json, "Write JSON to this file; - is standard output");
     add_voice(*command, options->voice);
-    command->callback([options] { run(*options); });
+    command->callback([options, command] {
+        refuse_what_changes_nothing(*options, *command);
+        run(*options);
+    });
 }
 
 } // namespace

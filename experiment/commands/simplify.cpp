@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -29,6 +30,8 @@ struct Options {
 void run(const Options& options) {
     if ((options.one_of > 0) == (options.triangles > 0))
         throw CommandError("expected either --one-of or --triangles");
+    if (!options.out.empty() && std::filesystem::path(options.out).extension() != ".off")
+        throw CommandError(fmt::format("{}: expected a name that ends in .off", options.out));
     const auto model = value_or_stop(load_model(options.model, StudyFolder{"."}));
     for (const auto& remark : model.remarks)
         options.voice.remark(remark);

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 namespace experiment::cost {
 
@@ -70,7 +71,7 @@ tl::expected<std::vector<Setting>, std::string> settings_of(const Sweep& sweep) 
             continue;
         for (const auto& changed : method->sweep)
             settings.push_back(setting_of(*method, changed, sweep.law));
-        for (const int one_of : sweep.one_of)
+        for (const int one_of : std::set(sweep.one_of.begin(), sweep.one_of.end()))
             if (one_of > 1)
                 settings.push_back({preset.method, preset.dials, level_words(one_of), one_of});
     }

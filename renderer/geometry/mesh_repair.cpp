@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -153,6 +154,11 @@ std::string why_empty(const PreparedMesh& prepared) {
     const double volume = enclosed_volume(prepared.mesh);
     const double diameter = glm::distance(report.low, report.high);
     const double least = least_thickness * diameter * report.area;
+    if (!std::isfinite(volume) || !std::isfinite(least))
+        return fmt::format("coordinates from {:.3g} to {:.3g} make a volume that is no number any "
+                           "more; scale the model down in a mesh editor",
+                           std::min({report.low.x, report.low.y, report.low.z}),
+                           std::max({report.high.x, report.high.y, report.high.z}));
     if (volume > least)
         return {};
     if (volume < -least)

@@ -98,7 +98,18 @@ TEST(ReferenceCommand, SaysWhatCannotBe) {
     EXPECT_NE(pairlight({"reference", "slab", "--albedo", "1.5"}).status, 0);
     EXPECT_THAT(pairlight({"reference", "torus", "--scene", "x", "--out", "x.exr"}).err,
                 HasSubstr("--scene: is for a study; torus is a model"));
+    auto rough = torus(folder / "a.exr");
+    rough.insert(rough.end(), {"--roughness", "0.5"});
+    EXPECT_THAT(pairlight(rough).err, HasSubstr("--roughness: is of a rough boundary"));
     EXPECT_FALSE(fs::exists(folder / "a.exr"));
+    const auto straight =
+        pairlight({"reference", "slab", "--boundary", "matched", "--index", "1.5"});
+    EXPECT_NE(straight.status, 0);
+    EXPECT_THAT(straight.err, HasSubstr("--index: bends no light through a matched boundary"));
+    EXPECT_THAT(pairlight({"reference", "slab", "--roughness", "0.5"}).err,
+                HasSubstr("--roughness: is of a rough boundary"));
+    EXPECT_THAT(pairlight({"reference", "--size", "8", "slab"}).err,
+                HasSubstr("--size is for a picture; leave it out beside slab"));
 }
 
 /// A torus, its methods, and its reference, which `session` may say more of.

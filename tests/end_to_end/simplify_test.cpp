@@ -37,6 +37,13 @@ TEST(SimplifyCommand, SaysWhatCannotBe) {
     ASSERT_EQ(pairlight({"simplify", "sphere", "--triangles", "80", "--out", file}).status, 0);
     EXPECT_NE(pairlight({"simplify", file, "--one-of", "2", "--out", file}).status, 0)
         << "the model itself was overwritten";
+    // by way of a folder that is not there yet, too
+    const auto around = (folder / "new" / ".." / "own.off").string();
+    EXPECT_NE(pairlight({"simplify", file, "--one-of", "2", "--out", around}).status, 0);
+    EXPECT_EQ(renderer::geometry::read_mesh(file)->triangles.size(), 80u);
+    const auto ply = pairlight({"simplify", "sphere", "--triangles", "80", "--out", "x.ply"});
+    EXPECT_NE(ply.status, 0);
+    EXPECT_THAT(ply.err, HasSubstr("x.ply: expected a name that ends in .off"));
 }
 
 } // namespace
