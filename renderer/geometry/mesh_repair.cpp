@@ -213,7 +213,7 @@ Expected<PreparedMesh> prepare(Mesh mesh, std::string_view name, const RepairOpt
             "to measure: {}; mend it in a mesh editor{}, or choose a closed model",
             name, describe_openings(report),
             may_gape ? ", take what it winds around for its inside (holes = \"winding\" in its "
-                       "[[scene]], or --holes winding)"
+                       "[[scene]], or --holes winding, where a command takes that)"
                      : ""));
     if (const auto why = why_empty(prepared); !why.empty())
         return tl::unexpected(fmt::format("{}: {}", name, why));

@@ -136,7 +136,7 @@ TEST(Prepare, SaysWhyAMeshHasNoInside) {
         "a.off: the surface is not closed and consistently oriented, so it has no inside to "
         "measure: 3 boundary edges, the first from (-1, 1, 1) to (-1, -1, 1); mend it in a mesh "
         "editor, take what it winds around for its inside (holes = \"winding\" in its "
-        "[[scene]], or --holes winding), or choose a closed model");
+        "[[scene]], or --holes winding, where a command takes that), or choose a closed model");
     auto turned = slab(2, 2, 2, 1);
     std::swap(turned.triangles[0][0], turned.triangles[0][1]);
     EXPECT_THAT(error_of(turned), HasSubstr("3 edges whose two triangles face opposite ways"));
