@@ -145,12 +145,6 @@ cost::Wish wish_of(const Options& options) {
     return wish;
 }
 
-void expect_direction(const char* option, const std::array<double, 3>& v) {
-    if (!(std::hypot(v[0], v[1], v[2]) > 0))
-        throw CommandError(fmt::format("{} {} {} {}: expected a direction, not all zero", option,
-                                       v[0], v[1], v[2]));
-}
-
 void refuse_what_changes_nothing(const Options& options, const CLI::App& command) {
     if (options.subject.empty())
         throw CommandError("\"\": expected a study's folder or file, or a model file, a model's "

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 
 namespace experiment::commands {
@@ -22,6 +23,12 @@ void expect_not_given(const CLI::App& command,
     for (const auto* option : options)
         if (was_given(command, option))
             throw CommandError(fmt::format("{}: {}", option, why));
+}
+
+void expect_direction(const char* option, const std::array<double, 3>& v) {
+    if (!(std::hypot(v[0], v[1], v[2]) > 0))
+        throw CommandError(fmt::format("{} {} {} {}: expected a direction, not all zero", option,
+                                       v[0], v[1], v[2]));
 }
 
 void add_holes(CLI::App& command, Holes& holes) {

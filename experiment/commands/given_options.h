@@ -3,6 +3,7 @@
 
 #include "renderer/geometry/mesh_repair.h"
 
+#include <array>
 #include <initializer_list>
 #include <string>
 
@@ -18,6 +19,9 @@ bool was_given(const CLI::App& command, const char* option);
 void expect_not_given(const CLI::App& command,
                       std::initializer_list<const char*> options,
                       const std::string& why);
+
+/// Errors: CommandError when the three numbers that `option` was given, or has, are all 0.
+void expect_direction(const char* option, const std::array<double, 3>& v);
 
 /// Adds `--holes refuse|winding` to `command`.
 void add_holes(CLI::App& command, renderer::geometry::Holes& holes);

@@ -84,15 +84,9 @@ Subject study_subject(const Options& options) {
     return {loaded.folder, loaded.study, *scene, *variant};
 }
 
-void expect_length(const char* option, const std::array<double, 3>& v) {
-    if (!(std::hypot(v[0], v[1], v[2]) > 0))
-        throw CommandError(fmt::format("{} {} {} {}: expected a direction, not all zero", option,
-                                       v[0], v[1], v[2]));
-}
-
 Subject model_subject(const Options& options) {
-    expect_length("--to-light", options.to_light);
-    expect_length("--up", options.look.up);
+    expect_direction("--to-light", options.to_light);
+    expect_direction("--up", options.look.up);
     Subject subject{{"."}, {}, options.look, {}};
     subject.study.width = subject.study.height = options.size;
     subject.scene.model = options.subject;

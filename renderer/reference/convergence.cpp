@@ -37,6 +37,14 @@ Expected<void> check_leaks(const Film& film) {
                                       film.leaks, film.paths));
 }
 
+/// Infinite where nothing is allowed, and for what is no number: such a pixel is never good.
+double squared_excess(double half_width, double allowed) {
+    if (half_width == 0)
+        return 0;
+    const double quotient = half_width / allowed;
+    return quotient >= 0 ? quotient * quotient : std::numeric_limits<double>::infinity();
+}
+
 } // namespace
 
 Convergence judge(const Film& film, const std::vector<std::size_t>& mask, const StopRule& rule) {
@@ -53,10 +61,7 @@ Convergence judge(const Film& film, const std::vector<std::size_t>& mask, const 
         double worst = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const double allowed = std::max(rule.relative * average[k], rule.of_mean * light);
-            const double quotient = error[k] == 0 ? 0
-                                    : allowed > 0 ? t * error[k] / allowed
-                                                  : std::numeric_limits<double>::infinity();
-            worst = std::max(worst, quotient * quotient);
+            worst = std::max(worst, squared_excess(t * error[k], allowed));
             squares += error[k] * error[k] / (3 * static_cast<double>(mask.size()));
         }
         excess.push_back(worst);

@@ -63,7 +63,7 @@ Spectrum<3> standard_error(const Film& film, std::size_t pixel) {
     for (std::size_t k = 0; k < 3; ++k) {
         const double average = film.sum[pixel][k] / n;
         const double variance = film.squares[pixel][k] / n - average * average;
-        error[k] = std::sqrt(std::max(0.0, variance) / (n - 1));
+        error[k] = std::sqrt(std::max(variance, 0.0) / (n - 1)); // in this order NaN stays
     }
     return error;
 }

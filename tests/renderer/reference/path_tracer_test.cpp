@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -296,6 +297,21 @@ TEST(Film, KeepsFirefliesAndReportsThemAsVariance) {
     const auto state = judge(film, mask, {});
     EXPECT_FALSE(state.converged);
     EXPECT_DOUBLE_EQ(state.good_share, 0.99);
+}
+
+// Neither what is no number nor light below zero, which chance can make of none, is ever sure.
+TEST(Convergence, NeverCallsAPixelGoodThatIsNoNumberOrNegative) {
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), -1.0}) {
+        Film film = blank_film(1, 1, 1, 4);
+        for (int b = 0; b < 16; ++b) {
+            const double light = b % 2 == 0 ? bad : 0.5 * bad;
+            add(film, 0, {{light, light, light}, 16});
+            ++film.batches;
+        }
+        const auto state = judge(film, {0}, {});
+        EXPECT_FALSE(state.converged);
+        EXPECT_EQ(state.good_share, 0);
+    }
 }
 
 TEST(Convergence, StopsWhenTheRuleIsMetAndSaysHowSure) {
