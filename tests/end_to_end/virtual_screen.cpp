@@ -43,8 +43,10 @@ VirtualScreen::VirtualScreen(int width, int height) {
         close(ends[0]);
         const int silence = open("/dev/null", O_WRONLY);
         dup2(silence, STDERR_FILENO);
+        // Without -noreset the server starts anew whenever its last client goes, as every xdotool
+        // does, and turns away whoever connects at that moment.
         become({"Xvfb", display, "-displayfd", fmt::format("{}", ends[1]), "-screen", "0",
-                fmt::format("{}x{}x24", width, height), "-nolisten", "tcp"});
+                fmt::format("{}x{}x24", width, height), "-nolisten", "tcp", "-noreset"});
     }
     close(ends[1]);
     std::string number;
