@@ -123,12 +123,20 @@ void LightCollector<N>::met_surface(const Path<N>& path,
             collect_reflected(path, surface, *to);
 }
 
+/// Per steradian; 0 where a connection was not possible.
+template <std::size_t N>
+double LightCollector<N>::turn_density(const Turn& turn) const {
+    return turn.by == Turn::By::Medium ? henyey_greenstein(turn.cosine, medium_.anisotropy)
+                                       : turn.density;
+}
+
 template <std::size_t N>
 void LightCollector<N>::escaped(const Path<N>& path) {
     collect(path.weight, illumination_.sky, 1);
     for (const auto& disc : discs_)
         if (is_toward(disc.sun, path.direction))
-            collect(path.weight, disc.radiance, share_of_turn(disc.solid_angle, path.turn_density));
+            collect(path.weight, disc.radiance,
+                    share_of_turn(disc.solid_angle, turn_density(path.turn)));
 }
 
 /// The probability of asking for a light, by what it could add at most; 0 where chance decides not

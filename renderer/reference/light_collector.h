@@ -60,6 +60,7 @@ class LightCollector final : public WalkEvents<N> {
         std::shared_ptr<const SunwardDepth> depth; ///< of a single direction; null when unknown
     };
 
+    double turn_density(const Turn& turn) const;
     double drawn_asking(const Path<N>& path, double u) const;
     Connection to_disc(const Disc& disc, PathRandom& random) const;
     std::optional<Connection> to_lamp(const Lamp& lamp, glm::dvec3 from) const;

@@ -18,7 +18,7 @@ double henyey_greenstein(double cosine, double g);
 double sample_henyey_greenstein(double u, double g);
 
 /// The unit vector at the angle with `cosine` from unit `axis`, turned about it by `turn` in [0, 1)
-/// of a circle.
+/// of a circle, to 1e-7 of it.
 glm::dvec3 around(glm::dvec3 axis, double cosine, double turn);
 
 /// A unit vector, uniform over the sphere for uniform `u` and `turn` in [0, 1); turned to

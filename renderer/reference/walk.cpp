@@ -9,13 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace renderer::reference {
 
 namespace {
-
-constexpr double isotropic = 1 / (4 * std::numbers::pi);
 
 // Below this optical thickness a flight through it is even to rounding.
 constexpr double thin = 1e-12;
@@ -286,7 +283,7 @@ Walk<N>::cross_smooth(Path<N>& path, glm::dvec3 facing, double index, PathRandom
         path.direction = *behind;
         path.is_inside = !path.is_inside;
     }
-    path.turn_density = 0; // nobody connects through a polished surface
+    path.turn = {}; // nobody connects through a polished surface
     return Fate::Goes;
 }
 
@@ -299,7 +296,8 @@ Walk<N>::cross_rough(Path<N>& path, glm::dvec3 facing, double index, PathRandom&
         const double u1 = random.next(), u2 = random.next(), u3 = random.next();
         const auto scattered = sample_rough(surface, -path.direction, u1, u2, u3);
         if (scattered && random.next() < scattered->unhidden) {
-            path.turn_density = rough_density(surface, -path.direction, scattered->direction);
+            path.turn = {.by = Turn::By::Surface,
+                         .density = rough_density(surface, -path.direction, scattered->direction)};
             path.direction = scattered->direction;
             if (glm::dot(path.direction, facing) < 0)
                 path.is_inside = !path.is_inside;
@@ -369,14 +367,13 @@ template <std::size_t N>
 void Walk<N>::choose_direction(Path<N>& path, PathRandom& random) const {
     const double g = medium_.anisotropy;
     const double u = random.next(), v = random.next();
+    path.turn = {.by = Turn::By::Medium};
     if (g == 0) { // whither does not depend on whence
-        path.turn_density = isotropic;
         path.direction = on_sphere(u, v);
         return;
     }
-    const double cosine = sample_henyey_greenstein(u, g);
-    path.turn_density = henyey_greenstein(cosine, g);
-    path.direction = around(path.direction, cosine, v);
+    path.turn.cosine = sample_henyey_greenstein(u, g);
+    path.direction = around(path.direction, path.turn.cosine, v);
 }
 
 template class Walk<1>;

@@ -25,6 +25,15 @@ constexpr Spectrum<N> all_ones() {
     return ones;
 }
 
+/// The last turn at which a connection to the light was possible.  Few paths end in a light, so
+/// that the medium's density is left to be worked out by who needs it.
+struct Turn {
+    enum class By { Nothing, Medium, Surface };
+    By by = By::Nothing;
+    double cosine = 1;  ///< By::Medium: of the angle turned by
+    double density = 0; ///< By::Surface: per steradian
+};
+
 /// Where a path is and what it carries.  N channels: three, or one when one says all.
 template <std::size_t N>
 struct Path {
@@ -35,9 +44,7 @@ struct Path {
     Spectrum<N> weight = all_ones<N>(); ///< contribution per unit of light, ratios divided out
     Spectrum<N> ratio = all_ones<N>();  ///< density under each hero over the mean of all
     int collisions = 0;
-    /// Per steradian, of the last turn at which a connection to the light was possible; 0 as long
-    /// as there was none.
-    double turn_density = 0;
+    Turn turn;
 };
 
 /// Who is told what happens on the way.

@@ -11,12 +11,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -24,47 +24,72 @@ namespace {
 
 using namespace renderer::reference;
 using anchors::Anchor;
-using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
+/// Of the processor, all threads together: what else the machine does is not in it.
+double processor_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
+/// Anchors of one body and light: the same paths tell all of them.
+using Problem = std::vector<Anchor>;
+
 struct Result {
-    Estimate estimate;
-    std::uint64_t paths = 0;
+    EnergyBalance balance;
     double seconds = 0;
 };
 
-/// A pilot says how many paths the error takes, and how long they do.
-Result run(const Anchor& anchor, double relative, double most_seconds) {
+double worst_excess(const Problem& problem, const EnergyBalance& balance, double relative) {
+    double worst = 0;
+    for (const auto& anchor : problem)
+        worst = std::max(worst, share_of(anchor, balance).standard_error / anchor.exact / relative);
+    return worst;
+}
+
+/// A pilot says how many paths the error takes, and what they cost.
+Result run(const Problem& problem, double relative, double most_seconds) {
     constexpr std::uint64_t pilot_paths = 1 << 18;
     EnergyRun run{.paths = pilot_paths, .seed = 11};
-    auto start = Clock::now();
-    const auto pilot = estimate_of(anchor, run);
-    const double pilot_seconds = seconds_since(start);
-    const double excess = std::pow(pilot.standard_error / (relative * anchor.exact), 2);
+    double start = processor_seconds();
+    const auto pilot = balance_of(problem.front(), run);
+    const double pilot_seconds = processor_seconds() - start;
+    const double excess = std::pow(worst_excess(problem, pilot, relative), 2);
     const double affordable = most_seconds / pilot_seconds;
     run.paths =
         static_cast<std::uint64_t>(static_cast<double>(pilot_paths) *
-                                   std::clamp(1.05 * excess, 1.0, std::max(1.0, affordable)));
+                                   std::clamp(1.1 * excess, 1.0, std::max(1.0, affordable)));
     run.seed = 12;
-    start = Clock::now();
-    return {estimate_of(anchor, run), run.paths, seconds_since(start)};
+    start = processor_seconds();
+    const auto balance = balance_of(problem.front(), run);
+    return {balance, processor_seconds() - start};
 }
 
 std::string name_of(const Anchor& anchor) {
     const auto& p = anchor.problem;
-    const char* quantity = anchor.quantity == anchors::Quantity::Back      ? "back"
-                           : anchor.quantity == anchors::Quantity::Through ? "through"
-                                                                           : "escape";
     const std::string shape = anchor.shape == anchors::Shape::Sphere
                                   ? fmt::format("sphere, radius {}", p.optical_thickness)
                               : std::isinf(p.optical_thickness)
                                   ? "half-space"
                                   : fmt::format("slab, {}", p.optical_thickness);
-    return fmt::format("{} | {} | {} | {} | {} | {}", shape, p.albedo, p.anisotropy, p.index,
-                       p.incidence == Incidence::Normal ? "normal" : "diffuse", quantity);
+    return fmt::format("{} | {} | {} | {} | {}", shape, p.albedo, p.anisotropy, p.index,
+                       p.incidence == Incidence::Normal ? "normal" : "diffuse");
+}
+
+const char* name_of(anchors::Quantity quantity) {
+    return quantity == anchors::Quantity::Back      ? "back"
+           : quantity == anchors::Quantity::Through ? "through"
+                                                    : "escape";
+}
+
+std::vector<Problem> all_problems() {
+    std::vector<Problem> problems;
+    std::map<std::string, std::size_t> known;
+    for (const auto& anchor : anchors::all()) {
+        const auto [place, is_new] = known.try_emplace(name_of(anchor), problems.size());
+        if (is_new)
+            problems.emplace_back();
+        problems[place->second].push_back(anchor);
+    }
+    return problems;
 }
 
 renderer::imaging::LinearImage plain(renderer::LinearRgb light) {
@@ -110,6 +135,31 @@ void print_image_measures() {
     row("PSNR", "equal pictures", std::numeric_limits<double>::infinity(), same.psnr);
 }
 
+/// What all lines say together.
+struct Account {
+    int lines = 0, failures = 0, met = 0;
+    double squares = 0, seconds = 0;
+};
+
+void print_lines(const Problem& problem, const Result& result, double relative, Account& account) {
+    account.seconds += result.seconds;
+    for (const auto& anchor : problem) {
+        const auto estimate = share_of(anchor, result.balance);
+        const double error = estimate.standard_error / anchor.exact;
+        const double z = (estimate.value - anchor.exact) /
+                         std::hypot(estimate.standard_error, anchor.exact_error);
+        fmt::print("| {} | {} | {:.9g} | {:.7f} | {:.1e} | {:.1e} | {:+.2f} | {:.2e} | {:.1f} |\n",
+                   name_of(anchor), name_of(anchor.quantity), anchor.exact, estimate.value,
+                   estimate.standard_error, error, z, static_cast<double>(result.balance.paths),
+                   result.seconds);
+        ++account.lines;
+        account.failures += std::abs(z) <= 4 ? 0 : 1;
+        account.met += error <= relative ? 1 : 0;
+        account.squares += z * z;
+    }
+    std::fflush(stdout); // a run that is cut short leaves what it has
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -117,33 +167,20 @@ int main(int argc, char** argv) {
     const double most_seconds = argc > 2 ? std::atof(argv[2]) : 600;
     fmt::print(
         "# Precision of transport\n\n"
-        "Written by `transport_precision {:g} {:g}` on {:%Y-%m-%d}; {} at most {:g} s went "
-        "into each line. z is the deviation in standard errors of estimate and exact value "
-        "together.\n\n"
+        "Written by `transport_precision {:g} {:g}` on {:%Y-%m-%d}; relative standard error "
+        "{:g} was asked for, at most {:g} s of the processor went into each body and light. z is "
+        "the deviation in standard errors of estimate and exact value together.\n\n"
         "| body | albedo | g | index | incidence | light | exact | estimate | standard error "
         "| relative | z | paths | s |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
-        relative, most_seconds, fmt::gmtime(std::time(nullptr)),
-        fmt::format("relative standard error {:g} was asked for,", relative), most_seconds);
-    int failures = 0, met = 0, all = 0;
-    double squares = 0, seconds = 0;
-    for (const auto& anchor : anchors::all()) {
-        const auto [estimate, paths, taken] = run(anchor, relative, most_seconds);
-        const double z = (estimate.value - anchor.exact) /
-                         std::hypot(estimate.standard_error, anchor.exact_error);
-        fmt::print("| {} | {:.9g} | {:.7f} | {:.1e} | {:.1e} | {:+.2f} | {:.2e} | {:.1f} |\n",
-                   name_of(anchor), anchor.exact, estimate.value, estimate.standard_error,
-                   estimate.standard_error / anchor.exact, z, static_cast<double>(paths), taken);
-        std::fflush(stdout); // a run that is cut short leaves what it has
-        ++all;
-        failures += std::abs(z) <= 4 ? 0 : 1;
-        met += estimate.standard_error <= relative * anchor.exact ? 1 : 0;
-        squares += z * z;
-        seconds += taken;
-    }
+        relative, most_seconds, fmt::gmtime(std::time(nullptr)), relative, most_seconds);
+    Account account;
+    for (const auto& problem : all_problems())
+        print_lines(problem, run(problem, relative, most_seconds), relative, account);
     fmt::print(
         "\n{} of {} within 4 standard errors; root mean square of z {:.2f}; {} of {} reached "
         "the relative error asked for; {:.0f} s in all.\n",
-        all - failures, all, std::sqrt(squares / all), met, all, seconds);
+        account.lines - account.failures, account.lines, std::sqrt(account.squares / account.lines),
+        account.met, account.lines, account.seconds);
     print_image_measures();
-    return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return account.failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -22,12 +22,16 @@ struct Anchor {
     bool is_quick;      ///< known to 1e-3 within a second or so: in the normal suite
 };
 
-inline renderer::reference::Estimate estimate_of(const Anchor& anchor,
-                                                 const renderer::reference::EnergyRun& run) {
+inline renderer::reference::EnergyBalance balance_of(const Anchor& anchor,
+                                                     const renderer::reference::EnergyRun& run) {
     namespace reference = renderer::reference;
-    const auto balance = anchor.shape == Shape::Slab
-                             ? reference::slab_energy(anchor.problem, run)
-                             : reference::sphere_energy(anchor.problem, run);
+    return anchor.shape == Shape::Slab ? reference::slab_energy(anchor.problem, run)
+                                       : reference::sphere_energy(anchor.problem, run);
+}
+
+/// The share that the anchor speaks of.
+inline renderer::reference::Estimate share_of(const Anchor& anchor,
+                                              const renderer::reference::EnergyBalance& balance) {
     switch (anchor.quantity) {
     case Quantity::Back:
         return balance.back;

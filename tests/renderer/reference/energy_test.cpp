@@ -22,7 +22,7 @@ TEST(Anchors, ThatAreQuickAreMetWithinFourStandardErrors) {
         const auto& p = anchor.problem;
         const auto name = fmt::format("albedo {} g {} tau {} index {}", p.albedo, p.anisotropy,
                                       p.optical_thickness, p.index);
-        const auto found = estimate_of(anchor, {.paths = 1 << 19});
+        const auto found = share_of(anchor, balance_of(anchor, {.paths = 1 << 19}));
         EXPECT_LE(std::abs(found.value - anchor.exact),
                   4 * std::hypot(found.standard_error, anchor.exact_error))
             << name;
