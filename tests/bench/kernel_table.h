@@ -26,10 +26,17 @@ inline constexpr double target_clock = 2.8;
 /// Medians and spreads over repetitions, as Markdown.
 class KernelTable : public benchmark::BenchmarkReporter {
   public:
-    explicit KernelTable(std::string instructions) : where_from_(std::move(instructions)) {}
+    /// `counting`: how the instructions come to be known.
+    explicit KernelTable(std::string counting) : counting_(std::move(counting)) {}
 
     /// Rows are printed in the order in which they are added; they run in any.
     void add_row(const std::string& name) { order_.push_back(name); }
+
+    bool has_instructions(const std::string& row) const { return instructions_.contains(row); }
+
+    void set_instructions(const std::string& row, double of_an_item) {
+        instructions_[row] = of_an_item;
+    }
 
     bool ReportContext(const Context&) override { return true; }
 
@@ -39,8 +46,6 @@ class KernelTable : public benchmark::BenchmarkReporter {
                 continue;
             const auto name = run.run_name.function_name;
             nanoseconds_[name].push_back(1e9 / run.counters.at("items_per_second"));
-            if (run.counters.contains("instructions"))
-                instructions_[name].push_back(run.counters.at("instructions"));
         }
     }
 
@@ -50,7 +55,7 @@ class KernelTable : public benchmark::BenchmarkReporter {
             "{}; {}; medians of {} runs in turns, spread is the largest less the smallest.\n",
             machine(), clock ? fmt::format("{:.2f} GHz while it ran", *clock) : "clock unknown",
             nanoseconds_.empty() ? 0 : nanoseconds_.begin()->second.size());
-        fmt::print("Instructions: {}.\n\n", where_from_);
+        fmt::print("Instructions: {}.\n\n", counting_);
         fmt::print("| row | ns | spread | cycles | instructions | cycles aimed at | ratio |\n"
                    "|---|---|---|---|---|---|---|\n");
         for (const auto& name : order_)
@@ -91,14 +96,15 @@ class KernelTable : public benchmark::BenchmarkReporter {
                 ratio = fmt::format("{:.2f}", middle * *clock / (ns * target_clock));
             }
         if (const auto found = instructions_.find(name); found != instructions_.end())
-            instructions = fmt::format("{:.3g}", median(found->second));
+            instructions = fmt::format("{:.3g}", found->second);
         fmt::print("| {} | {:.3g} | {:.2g} | {} | {} | {} | {} |\n", name, middle, *high - *low,
                    cycles, instructions, aimed, ratio);
     }
 
-    std::string where_from_;
+    std::string counting_;
     std::vector<std::string> order_;
-    std::map<std::string, std::vector<double>> nanoseconds_, instructions_;
+    std::map<std::string, std::vector<double>> nanoseconds_;
+    std::map<std::string, double> instructions_;
 };
 
 } // namespace bench
