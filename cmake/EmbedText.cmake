@@ -19,6 +19,7 @@ function(embed_text target namespace)
             DEPENDS ${source} ${PROJECT_SOURCE_DIR}/cmake/EmbedOneText.cmake
             VERBATIM)
         target_sources(${target} PRIVATE ${generated}.cpp ${generated}.h)
+        set_source_files_properties(${generated}.cpp TARGET_DIRECTORY ${target} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
         list(APPEND outputs ${generated}.cpp ${generated}.h)
     endforeach()
     # A custom command is known only where it is added; the target may have been made a folder above.

@@ -13,7 +13,7 @@ namespace analysis::formats {
 namespace {
 
 // As Python writes it, and as JSON might.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     std::string literal = "'";
     for (const char c : text) {
         if (c == '\\' || c == '\'')
@@ -78,9 +78,9 @@ Expected<DataSet> with_votes(const VoteTable& table) {
                         observer, table.conditions.name(i), table.conditions.name(j), joined(scene),
                         matrix.comparisons(i, j)));
                 if (matrix.wins(i, j) > 0 || matrix.ties(i, j) > 0)
-                    set.assets[asset].votes +=
-                        fmt::format("{}({}, {}): {}", set.assets[asset].votes.empty() ? "" : ", ",
-                                    quoted(observer), other, matrix.wins(i, j) > 0 ? "1" : "0.5");
+                    set.assets[asset].votes += fmt::format(
+                        "{}({}, {}): {}", set.assets[asset].votes.empty() ? "" : ", ",
+                        in_quotes(observer), other, matrix.wins(i, j) > 0 ? "1" : "0.5");
             }
     return set;
 }
@@ -88,7 +88,7 @@ Expected<DataSet> with_votes(const VoteTable& table) {
 std::string scene_literal(const VoteTable& table, const Scene& scene) {
     std::vector<std::string> entries;
     for (std::size_t f = 0; f < scene.size(); ++f)
-        entries.push_back(quoted(table.factor_names[f]) + ": " + quoted(scene[f]));
+        entries.push_back(in_quotes(table.factor_names[f]) + ": " + in_quotes(scene[f]));
     return fmt::format("{{{}}}", fmt::join(entries, ", "));
 }
 
@@ -100,23 +100,24 @@ Expected<std::string> sureal_script(const VoteTable& table) {
     const auto set = with_votes(table);
     if (!set)
         return tl::unexpected(set.error());
-    auto script = fmt::format("dataset_name = {}\n", quoted(table.study));
+    auto script = fmt::format("dataset_name = {}\n", in_quotes(table.study));
     script += table.simulated ? "simulated = True\n" : "";
     script += "\nref_videos = [\n";
     for (std::size_t content = 0; content < set->contents.size(); ++content) {
         const auto& scene = set->contents[content];
         script += fmt::format(
             " {{'content_id': {}, 'content_name': {}, 'path': {}, 'scene': {}}},\n", content,
-            quoted(joined(scene)), quoted(joined(scene)), scene_literal(table, scene));
+            in_quotes(joined(scene)), in_quotes(joined(scene)), scene_literal(table, scene));
     }
     script += "]\n\ndis_videos = [\n";
     for (std::size_t number = 0; number < set->assets.size(); ++number) {
         const auto& [content, condition, votes] = set->assets[number];
         const auto& name = table.conditions.name(condition);
-        script += fmt::format(" {{'asset_id': {}, 'content_id': {}, 'condition': {}, 'path': {},\n"
-                              "  'os': {{{}}}}},\n",
-                              number, content, quoted(name),
-                              quoted(joined(set->contents[content]) + "/" + name + ".png"), votes);
+        script +=
+            fmt::format(" {{'asset_id': {}, 'content_id': {}, 'condition': {}, 'path': {},\n"
+                        "  'os': {{{}}}}},\n",
+                        number, content, in_quotes(name),
+                        in_quotes(joined(set->contents[content]) + "/" + name + ".png"), votes);
     }
     return script + "]\n";
 }
