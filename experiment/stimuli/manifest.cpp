@@ -2,6 +2,7 @@
 #include "experiment/stimuli/manifest.h"
 
 #include "experiment/json_text.h"
+#include "protocols/study.h"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
