@@ -57,9 +57,9 @@ std::optional<std::int64_t> first_line_not_utf8(std::string_view text) {
 
 std::string utf8_fault(std::string_view text, const std::string& name) {
     if (const auto line = first_line_not_utf8(text))
-        return fmt::format("{}:{}: a byte that is no UTF-8; save the table as UTF-8", name, *line);
+        return fmt::format("{}:{}: a byte that is no UTF-8; save the file as UTF-8", name, *line);
     if (const auto zero = text.find('\0'); zero != text.npos)
-        return fmt::format("{}:{}: a zero byte; save the table as text", name, line_of(text, zero));
+        return fmt::format("{}:{}: a zero byte; save the file as text", name, line_of(text, zero));
     return {};
 }
 

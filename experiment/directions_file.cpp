@@ -2,6 +2,7 @@
 #include "experiment/directions_file.h"
 
 #include "analysis/csv.h"
+#include "analysis/utf8.h"
 #include "experiment/text_files.h"
 
 #include <fmt/core.h>
@@ -29,7 +30,7 @@ std::optional<std::array<std::size_t, 3>> columns(Fields header) {
     std::array<std::size_t, 3> found{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto place = std::ranges::find(header, axes[axis]);
-        if (place == header.end())
+        if (std::ranges::count(header, axes[axis]) != 1)
             return std::nullopt;
         found[axis] = static_cast<std::size_t>(place - header.begin());
     }
@@ -49,15 +50,18 @@ class DirectionTable {
     std::string take(Fields fields) {
         if (!columns_) {
             columns_ = columns(fields);
-            return columns_ ? "" : "the header row has to name the columns x, y and z";
+            in_header_ = fields.size();
+            return columns_ ? "" : "the header row has to name the columns x, y and z, each once";
         }
+        if (fields.size() != in_header_)
+            return fmt::format("{} fields, expected {} as in the header", fields.size(),
+                               in_header_);
         glm::dvec3 direction{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto place = (*columns_)[axis];
-            const auto value = place < fields.size() ? number(fields[place]) : std::nullopt;
+            const auto field = fields[(*columns_)[axis]];
+            const auto value = number(field);
             if (!value)
-                return fmt::format("{} is not a number: \"{}\"", axes[axis],
-                                   place < fields.size() ? fields[place] : "");
+                return fmt::format("{} is \"{}\", expected a number", axes[axis], field);
             direction[static_cast<int>(axis)] = *value;
         }
         const double length = glm::length(direction);
@@ -71,6 +75,7 @@ class DirectionTable {
 
   private:
     std::optional<std::array<std::size_t, 3>> columns_;
+    std::size_t in_header_ = 0;
 };
 
 } // namespace
@@ -80,13 +85,18 @@ read_directions(const std::filesystem::path& file) {
     const auto text = read_text_file(file);
     if (!text)
         return tl::unexpected(text.error());
+    if (const auto fault = analysis::utf8_fault(*text, file.string()); !fault.empty())
+        return tl::unexpected(fault);
     DirectionTable table;
     const auto read = analysis::read_csv(
         *text, file.string(), [&](std::int64_t, Fields fields) { return table.take(fields); });
     if (!read)
         return tl::unexpected(read.error());
     if (table.directions.empty())
-        return tl::unexpected(fmt::format("{}: has no directions", file.string()));
+        return tl::unexpected(
+            fmt::format("{}: has no directions, expected a header row x,y,z and a unit vector "
+                        "in each row below",
+                        file.string()));
     return table.directions;
 }
 

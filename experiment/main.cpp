@@ -1,5 +1,6 @@
 // The program's table of contents.
 #include "experiment/commands/command.h"
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
 
 #include <CLI/CLI.hpp>
@@ -7,6 +8,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 
 namespace commands = experiment::commands;
 
@@ -50,9 +52,17 @@ int main(int argc, char** argv) {
         add(program);
     try {
         commands::expect_command(program, {argv, static_cast<std::size_t>(argc)});
+        commands::expect_values(program, {argv, static_cast<std::size_t>(argc)});
         program.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return program.exit(help);
     } catch (const CLI::ParseError& error) {
-        return program.exit(error);
+        fmt::print(stderr, "pairlight: {}\n", commands::complaint_of(program, error));
+        return error.get_exit_code();
+    } catch (const std::filesystem::filesystem_error& error) {
+        fmt::print(stderr, "pairlight: {}: {}; see to it that it can be read and written\n",
+                   error.path1().string(), error.code().message());
+        return EXIT_FAILURE;
     } catch (const std::exception& error) {
         fmt::print(stderr, "pairlight: {}\n", error.what());
         return EXIT_FAILURE;

@@ -1,6 +1,7 @@
 // The one place where a study file meets the renderer's names.
 #include "experiment/read_study.h"
 
+#include "analysis/utf8.h"
 #include "experiment/reference_dials.h"
 #include "experiment/text_files.h"
 #include "protocols/calibration.h"
@@ -84,6 +85,8 @@ tl::expected<LoadedStudy, std::string> read_study(const fs::path& path) {
 tl::expected<std::string, std::string> read_instructions(const LoadedStudy& loaded) {
     const auto file = loaded.folder.root / loaded.study.instructions.file;
     auto text = read_text_file(file);
+    if (const auto fault = analysis::utf8_fault(text.value_or(""), file.string()); !fault.empty())
+        return tl::unexpected(fault);
     if (text && text->find_first_not_of(" \t\r\n") == std::string::npos)
         return tl::unexpected(
             fmt::format("{}: is empty; observers need written instructions", file.string()));

@@ -104,11 +104,17 @@ const std::vector<int>& photometer_codes() {
 }
 
 Expected<std::vector<GreyStep>> parse_photometer(std::string_view text, std::string_view file) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // of spreadsheets
+    if (text.starts_with(byte_order_mark))
+        text.remove_prefix(byte_order_mark.size());
     std::vector<GreyStep> steps;
     std::optional<bool> xyz;
     for (int number = 1; !text.empty(); ++number) {
         const auto line = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(text.size(), line.size() + 1));
+        if (line.find('\0') != line.npos)
+            return tl::unexpected(
+                fmt::format("{}:{}: a zero byte; save the file as text", file, number));
         if (trimmed(line).empty() || trimmed(line).starts_with("#"))
             continue;
         if (!xyz) {

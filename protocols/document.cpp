@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
+#include <cstddef>
+
 namespace protocols {
 
 namespace {
@@ -47,12 +50,57 @@ Node to_node(const toml::node& node) {
 
 } // namespace
 
+namespace {
+
+// Every part is a table in a table, and those are gone through and dropped one within the other.
+constexpr int most_parts = 64;
+
+/// Past a quoted text, or to the end of the line where it does not end there.
+std::size_t after_quotes(std::string_view text, std::size_t at) {
+    const char quote = text[at];
+    for (++at; at < text.size() && text[at] != '\n' && text[at] != quote; ++at)
+        if (quote == '"' && text[at] == '\\')
+            ++at;
+    return at;
+}
+
+/// The line of the first key whose dots are more than anybody means; 0 when there is none.
+int line_of_deep_key(std::string_view text) {
+    int line = 1, dots = 0;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
+        if (c == '#')
+            at = std::min(text.find('\n', at), text.size()) - 1;
+        else if (c == '"' || c == '\'')
+            at = after_quotes(text, at);
+        else if (c == '.')
+            ++dots;
+        else if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos)
+            dots = 0;
+        if (dots >= most_parts)
+            return line;
+        if (at < text.size() && text[at] == '\n') {
+            ++line;
+            dots = 0;
+        }
+    }
+    return 0;
+}
+
+} // namespace
+
 Expected<Table> read_document(std::string_view text, std::string_view file_name) {
+    if (const auto line = line_of_deep_key(text); line > 0)
+        return tl::unexpected(
+            fmt::format("{}:{}: a key of more than {} parts, expected key = value", file_name, line,
+                        most_parts));
     try {
         return to_table(toml::parse(text, file_name));
     } catch (const toml::parse_error& error) {
-        return tl::unexpected(fmt::format("{}:{}: not TOML: {}", file_name, line_of(error.source()),
-                                          error.description()));
+        return tl::unexpected(
+            fmt::format("{}:{}: not TOML: {}; mend this line, expected key = value "
+                        "with text in quotes, or a table's name in brackets",
+                        file_name, line_of(error.source()), error.description()));
     }
 }
 

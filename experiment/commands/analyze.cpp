@@ -2,6 +2,7 @@
 #include "analysis/csv.h"
 #include "analysis/findings_json.h"
 #include "analysis/findings_text.h"
+#include "analysis/utf8.h"
 #include "experiment/commands/commands.h"
 #include "experiment/commands/steps.h"
 #include "experiment/commands/within.h"
@@ -49,6 +50,8 @@ const std::map<std::string, VoteFormat>& formats() {
 // A table `observer,<name>`: who belongs to which group.
 void read_groups(const std::string& path, analysis::AnalysisOptions& options) {
     const auto text = value_or_stop(read_text_file(path));
+    if (const auto fault = analysis::utf8_fault(text, path); !fault.empty())
+        throw CommandError(fault);
     value_or_stop(analysis::read_csv(
         text, path, [&](std::int64_t, std::span<const std::string_view> fields) -> std::string {
             if (fields.size() != 2)
@@ -63,6 +66,9 @@ void read_groups(const std::string& path, analysis::AnalysisOptions& options) {
                 return fmt::format("observer '{}' stands twice", fields[0]);
             return fields[1].empty() ? "an empty group, expected a name" : "";
         }));
+    if (options.groups.empty())
+        throw CommandError(fmt::format(
+            "{}: there is no observer in it, expected a row observer,group for each", path));
 }
 
 void check_groups(const analysis::VoteTable& table, const Options& options) {
@@ -98,7 +104,7 @@ void run(Options& options) {
     const auto findings = findings_of(votes, options.analysis);
     if (!options.json.empty())
         deliver(analysis::findings_json(findings), options.json, options.source);
-    if (!options.voice.quiet || options.json.empty())
+    if (options.voice.says_text_beside(options.json))
         fmt::print("{}{}", analysis::findings_text(findings), informal_line(votes));
 }
 
@@ -110,7 +116,8 @@ void add_analyze(CLI::App& program) {
         "analyze", "Ranking, analyses of variance, scales and consistency of the votes");
     command->add_option("STUDY|VOTES.csv", options->source, "A study, or a table of votes")
         ->required();
-    command->add_option("--json", options->json, "Write the findings here, all digits");
+    command->add_option("--json", options->json,
+                        "Write the findings here, all digits; - is standard output");
     command
         ->add_option("--order", options->order,
                      "Conditions in the order tables and pairs follow, such as a,b,c; a study has "
@@ -118,7 +125,7 @@ void add_analyze(CLI::App& program) {
                      "table that of appearance")
         ->delimiter(',');
     command->add_option("--format", options->format, "What the table is, where it does not show")
-        ->transform(CLI::CheckedTransformer(formats()));
+        ->transform(word_for(numbered(formats())));
     command->add_flag("--repeats", options->repeats,
                       "The same question may have been answered more than once in a session");
     command->add_option("--groups", options->groups,

@@ -60,7 +60,7 @@ void run(const Options& options) {
         throw CommandError(options.table + ": " + analysis.error());
     if (!options.json.empty())
         deliver(anova::table_json(*analysis, options.table), options.json, options.table);
-    if (!options.voice.quiet || options.json.empty())
+    if (options.voice.says_text_beside(options.json))
         fmt::print("{}", anova::table_text(*analysis));
 }
 
@@ -87,7 +87,8 @@ void add_anova(CLI::App& program) {
                         "Compare the levels of a single factor with this one (Dunnett)");
     command->add_flag("--nist", options->nist,
                       "TABLE is a reference data set in NIST's own text form");
-    command->add_option("--json", options->json, "Write the analysis here, all digits");
+    command->add_option("--json", options->json,
+                        "Write the analysis here, all digits; - is standard output");
     add_voice(*command, options->voice);
     command->callback([options] { run(*options); });
 }

@@ -46,6 +46,10 @@ void Voice::remark(const std::string& text) const {
         fmt::print(stderr, "{}\n", text);
 }
 
+bool Voice::says_text_beside(const std::string& json) const {
+    return json.empty() || !(quiet || is_standard_output(json));
+}
+
 void add_voice(CLI::App& command, Voice& voice) {
     command.add_flag("-q,--quiet", voice.quiet, "Say nothing on the way: results and errors only");
 }
@@ -65,8 +69,12 @@ void expect_command(const CLI::App& program, std::span<const char* const> words)
                                    nearest ? fmt::format(" (did you mean '{}'?)", *nearest) : ""));
 }
 
+bool is_standard_output(const std::string& path) {
+    return path.empty() || path == "-";
+}
+
 void deliver(const std::string& text, const std::string& path, const std::string& input) {
-    if (path.empty()) {
+    if (is_standard_output(path)) {
         fmt::print("{}", text);
         return;
     }

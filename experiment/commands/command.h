@@ -34,6 +34,10 @@ struct Voice {
 
     /// A remark on the way, to standard error.
     void remark(const std::string& text) const;
+
+    /// Whether a result's text for people is printed beside its JSON: without JSON always, and
+    /// never where standard output is the JSON's.
+    bool says_text_beside(const std::string& json) const;
 };
 
 /// Adds `--quiet` to `command`.
@@ -44,7 +48,10 @@ void add_voice(CLI::App& command, Voice& voice);
 /// Errors: CommandError, with the command that was probably meant.
 void expect_command(const CLI::App& program, std::span<const char* const> words);
 
-/// Writes a result to the file `path`, or to standard output when it is empty.
+/// Whether `path` stands for no file: empty, or "-".
+bool is_standard_output(const std::string& path);
+
+/// Writes a result to the file `path`, or to standard output (`is_standard_output`).
 /// Errors: CommandError for a file that cannot be written, and for one that would be lost: `input`,
 /// which the result was made from, and what a study folder keeps (study.toml, votes.sqlite, ...).
 void deliver(const std::string& text, const std::string& path, const std::string& input);

@@ -117,7 +117,7 @@ void run(const Options& options) {
         write_maps(options, picture, reference);
     if (!options.json.empty())
         deliver(errors_json(comparison), options.json, options.picture);
-    if (!options.voice.quiet || options.json.empty())
+    if (options.voice.says_text_beside(options.json))
         fmt::print("{}", errors_text(comparison));
 }
 
@@ -133,9 +133,12 @@ void add_compare(CLI::App& program) {
     command->add_option("--mask", options->mask,
                         "Pixels that count: an EXR's coverage, or a picture's light parts; without "
                         "it, what B covers");
-    command->add_option("--json", options->json, "Write the measures here, all digits");
-    command->add_option("--maps", options->maps,
-                        "Write pictures of the errors: <MAPS>-flip.png, -ssim.png, -relative.png");
+    command->add_option("--json", options->json,
+                        "Write the measures here, all digits; - is standard output");
+    command
+        ->add_option("--maps", options->maps,
+                     "Write pictures of the errors: <MAPS>-flip.png, -ssim.png, -relative.png")
+        ->check(not_standard_output());
     command
         ->add_option("--pixels-per-degree", options->pixels_per_degree,
                      "Of the observer's visual angle, for FLIP")

@@ -1,12 +1,13 @@
 // pairlight cost: what every method and its dials cost, how far they are off, and which to take.
 #include "experiment/commands/commands.h"
 #include "experiment/commands/given_options.h"
+#include "experiment/commands/output_folder.h"
 #include "experiment/commands/within.h"
 #include "experiment/cost/contestants.h"
-#include "experiment/cost/cost_files.h"
 #include "experiment/cost/cost_page.h"
 #include "experiment/cost/earlier_runs.h"
 #include "experiment/cost/measure_scene.h"
+#include "experiment/cost/read_cost.h"
 #include "experiment/models.h"
 #include "experiment/progress.h"
 #include "experiment/read_study.h"
@@ -18,13 +19,10 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -124,16 +122,6 @@ fs::path folder_for(const Options& options, const LoadedStudy& loaded) {
     return is_study(options.subject) ? loaded.folder.cost() : fs::path(loaded.study.id + "-cost");
 }
 
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error || ::access(folder.c_str(), W_OK) != 0)
-        throw CommandError(fmt::format("{}: nothing can be written there ({}); name another folder "
-                                       "with --out",
-                                       folder.string(),
-                                       error ? error.message() : std::strerror(errno)));
-}
-
 cost::Wish wish_of(const Options& options) {
     cost::Wish wish{.error = *cost::error_kind(options.error)};
     if (options.tolerance > 0)
@@ -181,12 +169,13 @@ void check(const Options& options, const std::vector<protocols::Scene>& scenes) 
 }
 
 /// Earlier runs in one report, chosen from again.
-cost::CostReport put_together(const Options& options) {
+cost::CostReport put_together(const Options& options, const std::string& subject) {
     std::vector<cost::EarlierRun> runs;
     for (const auto& file : options.earlier)
         runs.push_back({file, value_or_stop(read_text_file(file).and_then([&](const auto& text) {
                             return cost::parse_cost(text, file);
                         }))});
+    value_or_stop(cost::expect_subject(runs, subject, options.subject));
     auto whole = value_or_stop(cost::together(runs));
     cost::choose_again(whole, wish_of(options));
     return whole;
@@ -221,7 +210,7 @@ void run(Options& options, const CLI::App& command) {
     const auto folder = folder_for(options, loaded);
     if (!options.earlier.empty()) {
         keep_other_measurements(options, folder);
-        return tell(options, folder, put_together(options));
+        return tell(options, folder, put_together(options, loaded.study.title));
     }
     options.measure.sweep.law = law_for(options, loaded.study);
     options.measure.wish = wish_of(options);
@@ -229,7 +218,7 @@ void run(Options& options, const CLI::App& command) {
         is_study(options.subject) ? loaded.folder : StudyFolder{folder / "study"};
     options.measure.truth.own = folder / "reference";
     // neither a folder that cannot be written nor a slip in the names should wait for the models
-    make_folder(folder);
+    expect_writable(folder);
     value_or_stop(cost::settings_of(options.measure.sweep));
 
     const auto context = value_or_stop(renderer::gpu::Context::surfaceless());
@@ -260,7 +249,7 @@ void run(Options& options, const CLI::App& command) {
 
 void add_model_options(CLI::App& command, const std::shared_ptr<Options>& options) {
     command.add_option("--material", options->look.material, "Of a model: a measured material")
-        ->check(CLI::IsMember(renderer::measured_names()))
+        ->check(one_of(renderer::measured_names()))
         ->capture_default_str();
     command.add_option("--diameter-mm", options->look.diameter_mm, "Of a model's bounding sphere")
         ->check(within(1e-6, 1e6))
@@ -294,7 +283,7 @@ void add_measuring_options(CLI::App& command, const std::shared_ptr<Options>& op
     command
         .add_option("--law", options->law,
                     "Of attenuation; without it, that of the study's conditions")
-        ->check(CLI::IsMember({"paper", "physical"}));
+        ->check(one_of({"paper", "physical"}));
     command
         .add_option("--size", measure.size,
                     "Pixels along the longer edge of the pictures that are compared")
@@ -310,7 +299,7 @@ void add_measuring_options(CLI::App& command, const std::shared_ptr<Options>& op
         .add_option("--time", options->time,
                     "How frames are timed: by the processor's time, which others on the machine do "
                     "not change, or by the clock; auto: the first where the processor draws")
-        ->check(CLI::IsMember({"auto", "processor", "clock"}))
+        ->check(one_of({"auto", "processor", "clock"}))
         ->capture_default_str();
     command
         .add_option("--held-out", measure.held_out_lights,
@@ -342,7 +331,7 @@ void add_cost(CLI::App& program) {
         ->add_option("--error", options->error,
                      "Which error the choice goes by: of thickness, of the picture under the same "
                      "law, or against the path-traced one (at equal brightness, or fitted)")
-        ->check(CLI::IsMember({"thickness", "law", "reference", "fitted"}))
+        ->check(one_of({"thickness", "law", "reference", "fitted"}))
         ->capture_default_str();
     command
         ->add_option("--tolerance", options->tolerance,
@@ -352,8 +341,10 @@ void add_cost(CLI::App& program) {
         ->add_option("--frame-budget", options->budget_ms,
                      "Choose the least error of the settings that draw a frame in so many ms")
         ->check(within(1e-3, 1e6));
-    command->add_option("--out", options->out,
-                        "Folder to write; without it, STUDY/cost or <model>-cost");
+    command
+        ->add_option("--out", options->out,
+                     "Folder to write; without it, STUDY/cost or <model>-cost")
+        ->check(not_standard_output());
     command->add_option("--from", options->earlier,
                         "cost.json of earlier runs: put together and chosen from again; nothing is "
                         "measured");

@@ -2,6 +2,7 @@
 #include "experiment/commands/commands.h"
 #include "experiment/commands/sittings.h"
 #include "experiment/commands/steps.h"
+#include "experiment/commands/within.h"
 #include "experiment/progress.h"
 
 #include <CLI/CLI.hpp>
@@ -92,7 +93,9 @@ void add_demo(CLI::App& program) {
     const auto options = std::make_shared<Options>();
     auto* command =
         program.add_subcommand("demo", "The quick study from an empty folder to a finished report");
-    command->add_option("DIR", options->folder, "The study folder to make")->capture_default_str();
+    command->add_option("DIR", options->folder, "The study folder to make")
+        ->check(not_standard_output())
+        ->capture_default_str();
     add_voice(*command, options->voice);
     command->callback([options] { run_demo(options->folder, options->voice); });
 }

@@ -38,7 +38,7 @@ void add_seat(CLI::App& command, Options& options) {
     command.add_option("--window", options.window,
                        "A window of this size, such as 1280x720, not the full screen");
     command.add_option("--monitor", options.monitor, "Which monitor; 1 is the primary one")
-        ->check(CLI::PositiveNumber);
+        ->check(within(1, 1000));
     add_voice(command, options.voice);
 }
 
@@ -200,11 +200,12 @@ void run_pages(const Options& options) {
     window.setting_up = true;
     const auto screen = value_or_stop(session::open_window(
         window, load_unchanged(loaded, value_or_stop(stimulus_digests(loaded))), clock));
+    const auto views = all_views(loaded, screen->facts());
     std::error_code failed;
     fs::create_directories(options.folder, failed);
     if (failed)
         throw CommandError(fmt::format("{}: cannot be made: {}", options.folder, failed.message()));
-    for (const auto& [name, view] : all_views(loaded, screen->facts())) {
+    for (const auto& [name, view] : views) {
         value_or_stop(screen->show(view));
         write_photograph(fs::path(options.folder) / (name + ".png"), screen->photograph());
         fmt::print("{}\n", (fs::path(options.folder) / (name + ".png")).string());
@@ -254,7 +255,9 @@ void add_pages(CLI::App& program) {
     auto* command = program.add_subcommand(
         "pages", "Every page of a sitting as a picture, to read before anyone sits");
     add_seat(*command, *options);
-    command->add_option("--png", options->folder, "The folder to write them to")->required();
+    command->add_option("--png", options->folder, "The folder to write them to")
+        ->required()
+        ->check(not_standard_output());
     command->callback([options] { run_pages(*options); });
 }
 

@@ -3,6 +3,7 @@
 #include "analysis/formats/vote_writers.h"
 #include "analysis/vote_matrix_csv.h"
 #include "experiment/commands/commands.h"
+#include "experiment/commands/within.h"
 #include "experiment/tables.h"
 #include "experiment/vote_source.h"
 
@@ -60,21 +61,22 @@ void add_export(CLI::App& program) {
             "long: one row per vote; matrices: votes for winner over loser in every scope; scores; "
             "and as other programs read votes: pwcmp, pairs (BradleyTerry2), paired-comparison "
             "(psychotools), sureal (its data set, a Python script)")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, Form>{{"long", Form::Long},
-                                        {"matrices", Form::Matrices},
-                                        {"scores", Form::Scores},
-                                        {"pwcmp", Form::Pwcmp},
-                                        {"pairs", Form::Pairs},
-                                        {"paired-comparison", Form::PairedComparison},
-                                        {"sureal", Form::Sureal}}))
+        ->transform(word_for(
+            numbered(std::map<std::string, Form>{{"long", Form::Long},
+                                                 {"matrices", Form::Matrices},
+                                                 {"scores", Form::Scores},
+                                                 {"pwcmp", Form::Pwcmp},
+                                                 {"pairs", Form::Pairs},
+                                                 {"paired-comparison", Form::PairedComparison},
+                                                 {"sureal", Form::Sureal}})))
         ->required();
-    command->add_option("--csv", options->csv, "The file to write; without it, standard output");
+    command->add_option("--csv", options->csv,
+                        "The file to write; without it, or with -, standard output");
     add_voice(*command, options->voice);
     command->callback([options] {
         const auto table = exported(options->study, options->form);
         deliver(table, options->csv, options->study);
-        if (!options->csv.empty())
+        if (!is_standard_output(options->csv))
             options->voice.remark(options->csv + ": written");
     });
 }

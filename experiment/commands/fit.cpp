@@ -159,7 +159,8 @@ void add_fit(CLI::App& program) {
     command->add_option("--scene", options->scenes, "Scenes to fit; without it, all");
     command->add_option("--hold-out", options->held_out,
                         "A variant to leave out of the fit and to measure it by");
-    command->add_option("--json", options->json, "Write the fits to this file, as JSON");
+    command->add_option("--json", options->json,
+                        "Write the fits to this file, as JSON; - is standard output");
     add_voice(*command, options->voice);
     command->callback([options] { run(*options); });
 }

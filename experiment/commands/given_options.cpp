@@ -2,6 +2,7 @@
 #include "experiment/commands/given_options.h"
 
 #include "experiment/commands/command.h"
+#include "experiment/commands/within.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -36,8 +37,8 @@ void add_holes(CLI::App& command, Holes& holes) {
         .add_option("--holes", holes,
                     "What to do with a model's surface that is not closed: refuse it, or take for "
                     "inside where it winds more than half around")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, Holes>{
-            {"refuse", Holes::Refuse}, {"winding", Holes::ByWinding}}));
+        ->transform(word_for(numbered(std::map<std::string, Holes>{
+            {"refuse", Holes::Refuse}, {"winding", Holes::ByWinding}})));
 }
 
 } // namespace experiment::commands

@@ -127,7 +127,7 @@ void add_import(CLI::App& program) {
         ->required()
         ->check(CLI::ExistingDirectory);
     command->add_option("--curve", options->curve, "How light becomes what a display shows (EXR)")
-        ->check(CLI::IsMember({"clip", "reinhard"}));
+        ->check(one_of({"clip", "reinhard"}));
     command
         ->add_option("--exposure", options->exposure, "Stops by which light is lifted first (EXR)")
         ->check(within(-20.0, 20.0))
@@ -137,7 +137,7 @@ void add_import(CLI::App& program) {
             "--colour", [options](const std::string& word) { options->as_is = word == "as-is"; },
             "Pictures with another colour profile than sRGB: refuse them, or take their codes "
             "as-is")
-        ->check(CLI::IsMember({"refuse", "as-is"}));
+        ->check(one_of({"refuse", "as-is"}));
     add_voice(*command, options->voice);
     command->callback([options] { run(*options); });
 }

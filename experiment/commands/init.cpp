@@ -1,5 +1,6 @@
 // pairlight init: a new study folder, commented, ready to run.
 #include "experiment/commands/commands.h"
+#include "experiment/commands/within.h"
 #include "experiment/study_folder.h"
 #include "experiment/text_files.h"
 #include "protocols/studies/instructions.de.md.h"
@@ -73,12 +74,14 @@ void add_init(CLI::App& program) {
     const auto options = std::make_shared<Options>();
     auto* command =
         program.add_subcommand("init", "Make a new study folder, commented, ready to run");
-    command->add_option("DIR", options->folder, "The new folder")->required();
+    command->add_option("DIR", options->folder, "The new folder")
+        ->required()
+        ->check(not_standard_output());
     command->add_option("--template", options->study_template, "The study to begin with")
-        ->check(CLI::IsMember({"shss-2012", "own-images", "quick"}))
+        ->check(one_of({"shss-2012", "own-images", "quick"}))
         ->capture_default_str();
     command->add_option("--language", options->language, "Of the instructions and the pages")
-        ->check(CLI::IsMember({"en", "de"}))
+        ->check(one_of({"en", "de"}))
         ->capture_default_str();
     add_voice(*command, options->voice);
     command->callback([options] {

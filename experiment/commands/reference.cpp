@@ -171,7 +171,7 @@ void add_picture_options(CLI::App& command, const std::shared_ptr<Options>& opti
     command.add_option("--scene", options->scene, "Of the study; without it, its first");
     command.add_option("--variant", options->variant, "Of the study; without it, its first");
     command.add_option("--material", options->look.material, "Of a model: a measured material")
-        ->check(CLI::IsMember(renderer::measured_names()))
+        ->check(one_of(renderer::measured_names()))
         ->capture_default_str();
     command.add_option("--diameter-mm", options->look.diameter_mm, "Of a model's bounding sphere")
         ->check(within(1e-6, 1e6))
@@ -188,7 +188,7 @@ void add_picture_options(CLI::App& command, const std::shared_ptr<Options>& opti
         ->check(within(8, 8192))
         ->capture_default_str();
     command.add_option("--boundary", options->boundary, "What the surface does to light")
-        ->check(CLI::IsMember({"matched", "smooth", "rough"}))
+        ->check(one_of({"matched", "smooth", "rough"}))
         ->capture_default_str();
     command.add_option("--roughness", options->roughness, "GGX alpha of a rough boundary")
         ->capture_default_str();

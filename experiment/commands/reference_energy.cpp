@@ -125,7 +125,7 @@ void run(const Options& options) {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!options.json.empty())
         deliver(energy_json(balance, options.shape, options.problem.incidence, seconds),
-                options.json == "-" ? "" : options.json, options.model);
+                options.json, options.model);
     else
         print_text(options, balance, seconds);
 }
@@ -154,7 +154,7 @@ void add_shape(CLI::App& reference, const char* name, const char* description, E
     command
         ->add_option("--boundary", options->boundary,
                      "matched, smooth or rough; without it, smooth where the index is not 1")
-        ->check(CLI::IsMember({"matched", "smooth", "rough"}));
+        ->check(one_of({"matched", "smooth", "rough"}));
     command->add_option("--roughness", problem.boundary.roughness, "GGX alpha of a rough boundary")
         ->capture_default_str();
     if (shape == EnergyShape::Furnace) {
@@ -168,8 +168,8 @@ void add_shape(CLI::App& reference, const char* name, const char* description, E
                          shape == EnergyShape::Sphere
                              ? "normal (a parallel beam as wide as the sphere) or diffuse"
                              : "normal or diffuse")
-            ->transform(CLI::CheckedTransformer(std::map<std::string, Incidence>{
-                {"normal", Incidence::Normal}, {"diffuse", Incidence::Diffuse}}));
+            ->transform(word_for(numbered(std::map<std::string, Incidence>{
+                {"normal", Incidence::Normal}, {"diffuse", Incidence::Diffuse}})));
     }
     command->add_option("--paths", options->run.paths, "How many paths of light")
         ->check(within(std::uint64_t{128}, std::uint64_t{1} << 40))

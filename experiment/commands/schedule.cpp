@@ -28,7 +28,8 @@ void add_schedule(CLI::App& program) {
     command->add_option("--observer", options->observer, "The observer's pseudonym")->required();
     command->add_option("--session", options->session, "Which sitting, from 1")
         ->capture_default_str();
-    command->add_option("--csv", options->csv, "The file to write; without it, standard output");
+    command->add_option("--csv", options->csv,
+                        "The file to write; without it, or with -, standard output");
     add_voice(*command, options->voice);
     command->callback([options] {
         const auto loaded = value_or_stop(read_study(options->study));

@@ -30,7 +30,8 @@ struct Options {
 void run(const Options& options) {
     if ((options.one_of > 0) == (options.triangles > 0))
         throw CommandError("expected either --one-of or --triangles");
-    if (!options.out.empty() && std::filesystem::path(options.out).extension() != ".off")
+    if (!is_standard_output(options.out) &&
+        std::filesystem::path(options.out).extension() != ".off")
         throw CommandError(fmt::format("{}: expected a name that ends in .off", options.out));
     const auto model = value_or_stop(load_model(options.model, StudyFolder{"."}));
     for (const auto& remark : model.remarks)
@@ -61,7 +62,8 @@ void add_simplify(CLI::App& program) {
         ->check(within(1, 1e6));
     command->add_option("--triangles", options->triangles, "So many are kept, or one less")
         ->check(within(4, 1e9));
-    command->add_option("--out", options->out, "The OFF file; without it, standard output");
+    command->add_option("--out", options->out,
+                        "The OFF file; without it, or with -, standard output");
     add_voice(*command, options->voice);
     command->callback([options] { run(*options); });
 }

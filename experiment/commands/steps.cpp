@@ -2,7 +2,7 @@
 #include "experiment/commands/steps.h"
 
 #include "analysis/findings_json.h"
-#include "experiment/cost/cost_files.h"
+#include "experiment/cost/read_cost.h"
 #include "experiment/progress.h"
 #include "experiment/report/facts.h"
 #include "experiment/report/page.h"
@@ -48,8 +48,7 @@ analysis::Findings findings_of(const VoteSource& votes, analysis::AnalysisOption
 
 std::filesystem::path write_study_report(const LoadedStudy& loaded, const Voice& voice) {
     auto findings = findings_of(value_or_stop(read_votes(loaded.folder.root)));
-    value_or_stop(write_text_file(loaded.folder.report() / "findings.json",
-                                  analysis::findings_json(findings)));
+    const auto findings_text = analysis::findings_json(findings);
     report::Records records{.study = loaded.study,
                             .study_sha256 = loaded.sha256,
                             .instructions = read_instructions(loaded).value_or(""),
@@ -67,6 +66,8 @@ std::filesystem::path write_study_report(const LoadedStudy& loaded, const Voice&
     ProgressBar bar("report", !voice.quiet);
     contents.thumbnails =
         value_or_stop(stimuli::thumbnails(loaded, [&](double fraction) { bar.update(fraction); }));
+    // Only now that nothing of the study stands in the way is anything written.
+    value_or_stop(write_text_file(loaded.folder.report() / "findings.json", findings_text));
     return value_or_stop(report::write_report(loaded.folder.report(), contents));
 }
 

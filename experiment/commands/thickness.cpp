@@ -84,10 +84,10 @@ void add_thickness(CLI::App& program) {
                      "CSV with columns x,y,z: unit vectors toward the light")
         ->required();
     command->add_option("--kind", options->kind, "Which length counts")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, thickness::Kind>{{"sum", thickness::Kind::Sum},
-                                                   {"first", thickness::Kind::First},
-                                                   {"span", thickness::Kind::Span}}));
+        ->transform(word_for(
+            numbered(std::map<std::string, thickness::Kind>{{"sum", thickness::Kind::Sum},
+                                                            {"first", thickness::Kind::First},
+                                                            {"span", thickness::Kind::Span}})));
     auto* exact = command->add_flag("--exact", options->exact, "Trace every direction asked for");
     command
         ->add_option("--bands", options->bands,
@@ -100,7 +100,8 @@ void add_thickness(CLI::App& program) {
                      "Millimetres to a model unit; without it, model units")
         ->check(within(1e-9, 1e9));
     add_holes(*command, options->holes);
-    command->add_option("--csv", options->csv, "The file to write; without it, standard output");
+    command->add_option("--csv", options->csv,
+                        "The file to write; without it, or with -, standard output");
     add_voice(*command, options->voice);
     command->callback([options] {
         const auto directions = value_or_stop(read_directions(options->directions));

@@ -98,7 +98,7 @@ void add_view(CLI::App& program) {
     command
         ->add_option("--frames", options->frames,
                      "End after so many pictures that follow the keys, at least 3")
-        ->check(CLI::PositiveNumber);
+        ->check(within(1, 1e9));
     add_voice(*command, options->voice);
     command->callback([options] { view(*options); });
 }

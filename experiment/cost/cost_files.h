@@ -3,19 +3,17 @@
 
 #include "experiment/cost/cost_report.h"
 
-#include <tl/expected.hpp>
-
 #include <string>
-#include <string_view>
 
 namespace experiment::cost {
+
+/// Of `cost_json`.  2: every row has its own mesh.
+inline constexpr int form_version = 2;
 
 /// A row for every scene, light and setting; empty fields for what was not measured.
 std::string cost_csv(const CostReport& report);
 
+/// All there is; read again by read_cost.h.
 std::string cost_json(const CostReport& report);
-
-/// Errors: "<file_name>: <what is wrong>".
-tl::expected<CostReport, std::string> parse_cost(std::string_view text, std::string_view file_name);
 
 } // namespace experiment::cost

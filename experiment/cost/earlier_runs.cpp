@@ -41,6 +41,12 @@ bool has(const CostReport& report, const std::string& scene, const std::string& 
     });
 }
 
+/// Subjects that were put together are all named, one after the other.
+bool is_among(const std::string& subjects, const std::string& subject) {
+    return fmt::format(", {}, ", subjects).find(fmt::format(", {}, ", subject)) !=
+           std::string::npos;
+}
+
 std::optional<std::string> what_is_twice(const CostReport& whole, const EarlierRun& other) {
     for (const auto& scene : other.report.scenes)
         for (const auto& light : scene.lights)
@@ -69,6 +75,20 @@ tl::expected<CostReport, std::string> together(const std::vector<EarlierRun>& ru
         whole.scenes.insert(whole.scenes.end(), report.scenes.begin(), report.scenes.end());
     }
     return whole;
+}
+
+tl::expected<void, std::string> expect_subject(const std::vector<EarlierRun>& runs,
+                                               const std::string& subject,
+                                               const std::string& name) {
+    std::string measured;
+    for (const auto& run : runs) {
+        if (is_among(run.report.subject, subject))
+            return {};
+        measured += fmt::format("{}\"{}\"", measured.empty() ? "" : ", ", run.report.subject);
+    }
+    return tl::unexpected(
+        fmt::format("{}: measured is {}, and {} is \"{}\"; expected the name of what was measured",
+                    runs.front().file, measured, name, subject));
 }
 
 void choose_again(CostReport& report, const Wish& wish) {

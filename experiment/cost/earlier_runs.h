@@ -21,6 +21,13 @@ struct EarlierRun {
 /// EXPECTS at least one.
 tl::expected<CostReport, std::string> together(const std::vector<EarlierRun>& runs);
 
+/// That one of the runs measured `subject`, a study's title or a model's name, which was meant by
+/// `name`: what is put together is kept under it.
+/// Errors: none of them did, with what they did measure.
+tl::expected<void, std::string> expect_subject(const std::vector<EarlierRun>& runs,
+                                               const std::string& subject,
+                                               const std::string& name);
+
 /// Chooses anew in every scene and light.  What was measured of a choice stays with it.
 void choose_again(CostReport& report, const Wish& wish);
 

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <vector>
 
 namespace experiment::session {
@@ -102,11 +103,14 @@ Expected<SimulatedObserver> parse_simulated_observer(std::string_view text,
     observer.scores = even_scores(study);
     if (text.empty())
         return observer;
+    std::set<std::string_view> named;
     for (const auto part : split(text, ';')) {
         const auto equals = part.find('=');
         const auto name = part.substr(0, equals);
         const auto value =
             equals == std::string_view::npos ? std::string_view() : part.substr(equals + 1);
+        if (!named.insert(name).second)
+            return refusal(part, fmt::format("{} once", name));
         const auto take = [&](double& place, double least, double greatest) {
             const auto number = real_in(value, least, greatest);
             place = number.value_or(place);

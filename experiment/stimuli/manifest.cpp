@@ -1,6 +1,9 @@
 // Optional members are written when they are there; nothing stands for "not measured".
 #include "experiment/stimuli/manifest.h"
 
+#include "experiment/json_text.h"
+#include "protocols/study.h"
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -58,39 +61,62 @@ Json to_json(const protocols::Picture& picture, const PictureRecord& record) {
     return json;
 }
 
-ModelRecord model_record(const Json& json) {
-    return {json.at("file"), json.at("sha256"), json.at("vertices"), json.at("triangles")};
+ModelRecord model_record(const JsonPlace& json) {
+    return {json.at("file").text(), json.at("sha256").text(),
+            static_cast<std::size_t>(json.at("vertices").count()),
+            static_cast<std::size_t>(json.at("triangles").count())};
 }
 
-BrightnessRecord brightness_record(const Json& json) {
-    return {json.at("mean_before"), json.at("target"), json.at("gain"), json.at("clipped_share")};
+BrightnessRecord brightness_record(const JsonPlace& json) {
+    return {json.at("mean_before").number(), json.at("target").number(), json.at("gain").number(),
+            json.at("clipped_share").number()};
 }
 
-template <class T>
-std::optional<T> optional_value(const Json& json, const char* key) {
-    return json.contains(key) ? std::optional<T>(json.at(key).get<T>()) : std::nullopt;
+std::optional<double> number_if_there(const JsonPlace& json, const char* key) {
+    return json.has(key) ? std::optional(json.at(key).number()) : std::nullopt;
 }
 
-PictureRecord picture_record(const Json& json) {
+std::optional<std::string> text_if_there(const JsonPlace& json, const char* key) {
+    return json.has(key) ? std::optional(json.at(key).text()) : std::nullopt;
+}
+
+PictureRecord picture_record(const JsonPlace& json) {
     PictureRecord record;
-    record.recipe = json.at("recipe");
-    record.renderer = json.at("renderer");
-    record.dials = json.at("dials");
-    record.png_sha256 = json.at("png_sha256");
-    record.width = json.at("width");
-    record.height = json.at("height");
-    if (json.contains("model"))
+    record.recipe = json.at("recipe").text();
+    record.renderer = json.at("renderer").text();
+    for (const auto& [name, value] : json.at("dials").members())
+        record.dials[name] = value.text();
+    record.png_sha256 = json.at("png_sha256").text();
+    record.width = json.at("width").count();
+    record.height = json.at("height").count();
+    if (json.has("model"))
         record.model = model_record(json.at("model"));
-    if (json.contains("brightness"))
+    if (json.has("brightness"))
         record.brightness = brightness_record(json.at("brightness"));
-    record.precompute_seconds = optional_value<double>(json, "precompute_seconds");
-    record.frame_milliseconds = optional_value<double>(json, "frame_milliseconds");
-    record.bytes_per_vertex = optional_value<std::size_t>(json, "bytes_per_vertex");
-    record.decision = optional_value<std::string>(json, "decision");
-    record.predicted_change = optional_value<double>(json, "predicted_change");
-    record.measured_change = optional_value<double>(json, "measured_change");
-    record.remark = optional_value<std::string>(json, "remark");
+    record.precompute_seconds = number_if_there(json, "precompute_seconds");
+    record.frame_milliseconds = number_if_there(json, "frame_milliseconds");
+    if (json.has("bytes_per_vertex"))
+        record.bytes_per_vertex = static_cast<std::size_t>(json.at("bytes_per_vertex").count());
+    record.decision = text_if_there(json, "decision");
+    record.predicted_change = number_if_there(json, "predicted_change");
+    record.measured_change = number_if_there(json, "measured_change");
+    record.remark = text_if_there(json, "remark");
     return record;
+}
+
+Manifest manifest_of(const JsonPlace& json) {
+    if (const auto form = json.at("form"); form.count() != form_version)
+        form.refuse(fmt::format("{}", form_version));
+    Manifest manifest{json.at("program").text(), json.at("study_sha256").text(), {}};
+    for (const auto& entry : json.at("pictures").elements()) {
+        const protocols::Picture picture{{entry.at("scene").text()},
+                                         {entry.at("variant").text()},
+                                         {entry.at("condition").text()}};
+        if (!manifest.pictures.emplace(picture, picture_record(entry)).second)
+            entry.complain(fmt::format("the picture {} is there twice, expected it once",
+                                       protocols::picture_path(picture)));
+    }
+    return manifest;
 }
 
 } // namespace
@@ -107,21 +133,10 @@ std::string manifest_json(const Manifest& manifest) {
 
 tl::expected<Manifest, std::string> parse_manifest(std::string_view text,
                                                    std::string_view file_name) {
-    try {
-        const auto json = Json::parse(text);
-        if (const int form = json.at("form"); form != form_version)
-            return tl::unexpected(fmt::format("{}: form {}, expected {}; render the study again",
-                                              file_name, form, form_version));
-        Manifest manifest{json.at("program"), json.at("study_sha256"), {}};
-        for (const auto& entry : json.at("pictures"))
-            manifest
-                .pictures[{{entry.at("scene")}, {entry.at("variant")}, {entry.at("condition")}}] =
-                picture_record(entry);
-        return manifest;
-    } catch (const Json::exception& error) {
-        return tl::unexpected(
-            fmt::format("{}: not a stimuli manifest: {}", file_name, error.what()));
-    }
+    return read_json_as(text, file_name,
+                        "expected the manifest as it was written; take the file away and run "
+                        "`pairlight render` again",
+                        manifest_of);
 }
 
 } // namespace experiment::stimuli

@@ -60,7 +60,7 @@ struct Manifest {
 
 std::string manifest_json(const Manifest& manifest);
 
-/// Errors: "<file_name>: <what is wrong>".
+/// Errors: "<file_name>:<line>: <what is wrong>; <remedy>".
 tl::expected<Manifest, std::string> parse_manifest(std::string_view text,
                                                    std::string_view file_name);
 

@@ -43,8 +43,12 @@ Expected<Mesh> read_mesh(const std::filesystem::path& file) {
     if (reader == nullptr)
         return tl::unexpected(
             fmt::format("{}: a model file ends in .ply, .off or .obj", file.string()));
-    return read_bytes(file).and_then(
-        [&](const std::string& bytes) { return reader(bytes, file.string()); });
+    return read_bytes(file).and_then([&](const std::string& bytes) -> Expected<Mesh> {
+        if (bytes.empty())
+            return tl::unexpected(
+                fmt::format("{}: the file is empty, expected a model", file.string()));
+        return reader(bytes, file.string());
+    });
 }
 
 } // namespace renderer::geometry

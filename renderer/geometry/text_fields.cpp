@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace renderer::geometry {
@@ -71,7 +72,8 @@ std::string shown(std::string_view field) {
 }
 
 std::string at_line(std::string_view name, std::size_t line, std::string_view what) {
-    return fmt::format("{}:{}: {}", name, line, what);
+    // of a text without lines, the first is missed
+    return fmt::format("{}:{}: {}", name, std::max<std::size_t>(line, 1), what);
 }
 
 } // namespace renderer::geometry

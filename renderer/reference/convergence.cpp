@@ -28,13 +28,25 @@ std::vector<std::size_t> mask_of(const Film& film) {
     return mask;
 }
 
-Expected<void> check_leaks(const Film& film) {
+/// Why no picture, or a wrong one, comes of it: of an open body its openings, else `closed`.
+std::string why(const Picture& picture, const char* closed) {
+    return picture.openings.empty()
+               ? closed
+               : fmt::format("its surface is open ({}), and light cannot be followed where nothing "
+                             "bounds it; close it in a mesh editor",
+                             picture.openings);
+}
+
+Expected<void> check_leaks(const Film& film, const Picture& picture) {
     if (static_cast<double>(film.leaks) <= most_leaks * static_cast<double>(film.paths) ||
         film.leaks <= 1)
         return {};
-    return tl::unexpected(fmt::format("{} of {} paths leaked out of the mesh, expected at most one "
-                                      "in 10^6; the mesh is not closed",
-                                      film.leaks, film.paths));
+    return tl::unexpected(fmt::format(
+        "{} of {} paths leaked out of the body, expected at most one in 10^6: {}", film.leaks,
+        film.paths,
+        why(picture,
+            "its surface is closed; look for triangles that cross or all but touch, and mend them "
+            "in a mesh editor")));
 }
 
 /// Infinite where nothing is allowed, and for what is no number: such a pixel is never good.
@@ -92,8 +104,8 @@ Expected<Outcome> render(const Picture& picture,
         if (film.batches >= 2) {
             const auto mask = mask_of(film);
             if (mask.empty())
-                return tl::unexpected(std::string("no pixel is wholly covered by the object, "
-                                                  "expected some; move the camera nearer"));
+                return tl::unexpected("no pixel is wholly covered by the object, expected some: " +
+                                      why(picture, "move the camera nearer"));
             outcome.state = judge(film, mask, rule);
             if (progress)
                 progress(
@@ -111,7 +123,7 @@ Expected<Outcome> render(const Picture& picture,
         }
     }
     outcome.seconds = spent().count();
-    if (const auto sound = check_leaks(film); !sound)
+    if (const auto sound = check_leaks(film, picture); !sound)
         return tl::unexpected(sound.error());
     return outcome;
 }

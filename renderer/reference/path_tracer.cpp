@@ -2,6 +2,7 @@
 #include "renderer/reference/path_tracer.h"
 
 #include "renderer/contract.h"
+#include "renderer/geometry/mesh_report.h"
 #include "renderer/geometry/ray_scene.h"
 #include "renderer/reference/light_collector.h"
 #include "renderer/reference/mesh_body.h"
@@ -138,10 +139,12 @@ Illumination illumination_of(const renderer::Scene& scene, Radians half_angle) {
 Expected<Picture> picture_of_scene(const geometry::Mesh& mesh,
                                    const renderer::Scene& scene,
                                    const ReferenceSettings& settings) {
+    const auto report = geometry::examine(mesh);
     Picture picture{.medium = medium_from_reduced(scene.material.medium, settings.anisotropy),
                     .boundary = settings.boundary,
                     .illumination = illumination_of(scene, settings.sun_half_angle),
-                    .camera = scene.camera};
+                    .camera = scene.camera,
+                    .openings = report.boundary.count > 0 ? describe_openings(report) : ""};
     if (const auto reachable = check_reachable(picture.illumination, picture.boundary); !reachable)
         return tl::unexpected(reachable.error());
     picture.body = make_mesh_body(in_world(mesh, scene.placement));

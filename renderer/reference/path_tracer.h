@@ -32,6 +32,7 @@ struct Picture {
     Boundary boundary;
     Illumination illumination;
     Camera camera;
+    std::string openings; ///< where the body's surface gapes, in words; empty where it is closed
 };
 
 /// Which parts of the study's conventions the reference takes over.

@@ -144,6 +144,46 @@ TEST_F(BadInput, NamesAnOwnImageThatIsMissingOrOfAnotherSize) {
                 AllOf(HasSubstr("garden/first.png"), HasSubstr("10x10")));
 }
 
+TEST_F(BadInput, SaysWhereAModelFileIsEmpty) {
+    for (const auto* name : {"empty.off", "empty.ply", "empty.obj"}) {
+        write_file(folder / name, "");
+        EXPECT_EQ(pairlight({"simplify", (folder / name).string(), "--one-of", "2"}).err,
+                  "pairlight: " + (folder / name).string() +
+                      ": the file is empty, expected a model\n");
+    }
+}
+
+TEST_F(BadInput, NamesFilesThatAreFoldersOrNoText) {
+    write_small_study(folder.path());
+    write_file(folder / "instructions.md", "Choose\xFF.\n");
+    EXPECT_THAT(pairlight({"session", path(), "--observer", "P1", "--simulate", ""}).err,
+                HasSubstr("instructions.md:1: a byte that is no UTF-8"));
+    fs::remove(folder / "instructions.md");
+    fs::create_directory(folder / "instructions.md");
+    EXPECT_THAT(pairlight({"session", path(), "--observer", "P1", "--simulate", ""}).err,
+                HasSubstr("instructions.md: cannot be read: it is a folder"));
+    fs::remove(folder / "study.toml");
+    fs::create_symlink("study.toml", folder / "study.toml");
+    EXPECT_THAT(pairlight({"check", path()}).err,
+                AllOf(HasSubstr("study.toml: Too many levels of symbolic links; see to it"),
+                      testing::Not(HasSubstr("filesystem error"))));
+}
+
+TEST_F(BadInput, NamesTheLineOfATableOfGroupsThatIsWrong) {
+    const auto table = (folder / "votes.csv").string(), groups = (folder / "groups.csv").string();
+    write_file(table, "observer,session,trial,scene,left,right,chosen\nP1,1,1,a,x,y,left\n"
+                      "P2,1,1,a,x,y,left\n");
+    const auto said = [&](const std::string& text) {
+        write_file(groups, text);
+        return pairlight({"analyze", table, "--groups", groups}).err;
+    };
+    EXPECT_THAT(said("observer,age\nP1,\xFF\nP2,old\n"),
+                HasSubstr("groups.csv:2: a byte that is no UTF-8"));
+    EXPECT_THAT(said(std::string("observer,age\nP1,\0\nP2,old\n", 26)),
+                HasSubstr("groups.csv:2: a zero byte"));
+    EXPECT_THAT(said(""), HasSubstr("groups.csv: there is no observer in it"));
+}
+
 TEST_F(BadInput, NamesTheLineOfAVoteTableThatIsWrong) {
     write_file(
         folder / "votes.csv",

@@ -135,6 +135,17 @@ TEST_F(CostCommand, MeasuresComparesChoosesAndWrites) {
     refused({"--from", first}, "is in an earlier --from already");
     refused({"--rounds", "3"}, "--rounds: nothing is measured with --from");
     refused({"--scene", "torus"}, "--scene: nothing is measured with --from");
+    const auto of_another = pairlight({"cost", "torus", "--from", first});
+    EXPECT_NE(of_another.status, 0);
+    EXPECT_THAT(
+        of_another.err,
+        HasSubstr("cost.json: measured is \"A torus\", and torus is \"torus\"; expected the "
+                  "name of what was measured"));
+    write_file(folder_ / "damaged.json", read_file(first).substr(0, 2000));
+    const auto damaged = cost_from((folder_ / "damaged.json").string(), {});
+    EXPECT_NE(damaged.status, 0);
+    EXPECT_THAT(damaged.err,
+                HasSubstr("the JSON ends before it is complete; expected a cost.json"));
     // another report than the one it is made from is not replaced
     fs::create_directories(folder_ / "other");
     fs::copy_file(first, folder_ / "other/cost.json");

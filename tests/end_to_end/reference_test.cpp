@@ -1,6 +1,7 @@
 // Pictures and numbers of the reference, and comparisons with it, as a script asks for them.
 #include "tests/end_to_end/program.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -171,6 +172,42 @@ TEST(ReferenceCondition, CanStandInTheMiddle) {
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_THAT(run.out, testing::AllOf(HasSubstr("phong"), HasSubstr("constant"),
                                         testing::Not(HasSubstr("truth"))));
+}
+
+/// A sphere without its lower end: an opening as wide as `share` of the way leaves it.
+std::string bowl(double share) {
+    constexpr int rows = 12, columns = 24;
+    std::string vertices = "0 0 1\n", faces;
+    for (int i = 1; i <= rows; ++i)
+        for (int j = 0; j < columns; ++j) {
+            const double down = M_PI * share * i / rows, round = 2 * M_PI * j / columns;
+            vertices += fmt::format("{} {} {}\n", std::sin(down) * std::cos(round),
+                                    std::sin(down) * std::sin(round), std::cos(down));
+            const int a = 1 + (i - 1) * columns + j, b = a - j + (j + 1) % columns;
+            faces += i == 1 ? fmt::format("3 0 {} {}\n", a, b)
+                            : fmt::format("3 {} {} {}\n3 {} {} {}\n", a - columns, a, b,
+                                          a - columns, b, b - columns);
+        }
+    return fmt::format("OFF\n{} {} 0\n", 1 + rows * columns, columns * (2 * rows - 1)) + vertices +
+           faces;
+}
+
+// That paths leak is no fault of a closed mesh here, and nothing but closing it helps.
+TEST(ReferenceCommand, SaysThatABodyIsTooOpenToFollowLightIn) {
+    const TemporaryFolder folder;
+    write_file(folder / "bowl.off", bowl(0.5));
+    const auto seen_from = [&](const char* degrees) {
+        return pairlight({"reference", (folder / "bowl.off").string(), "--holes", "winding",
+                          "--size", "48", "--diameter-mm", "10", "--turn-degrees", degrees,
+                          "--seconds", "1", "--out", (folder / "bowl.exr").string()});
+    };
+    for (const auto* degrees : {"0", "180"}) {
+        const auto outcome = seen_from(degrees);
+        EXPECT_EQ(outcome.status, 1) << degrees;
+        EXPECT_THAT(outcome.err, HasSubstr("its surface is open (24 boundary edges, the first "));
+        EXPECT_THAT(outcome.err, HasSubstr("; close it in a mesh editor"));
+        EXPECT_FALSE(fs::exists(folder / "bowl.exr"));
+    }
 }
 
 } // namespace

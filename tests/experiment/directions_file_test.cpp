@@ -28,15 +28,22 @@ TEST_F(DirectionsFile, IsReadByTheNamesOfItsColumns) {
     ASSERT_EQ(directions->size(), 2u);
     EXPECT_EQ((*directions)[0], glm::dvec3(0, 1, 0));
     EXPECT_EQ((*directions)[1], glm::dvec3(0.6, 0, 0.8));
+    EXPECT_TRUE(reading("\xEF\xBB\xBFx,y,z\r\n0,0,1\r\n"));
 }
 
 TEST_F(DirectionsFile, NamesTheLineThatIsWrong) {
     EXPECT_THAT(reading("x,y,z\n0,0,1\n0,0,2\n").error(),
                 testing::HasSubstr(":3: the vector's length is 2"));
     EXPECT_THAT(reading("x,y,z\n0,zero,1\n").error(),
-                testing::HasSubstr(":2: y is not a number: \"zero\""));
+                testing::HasSubstr(":2: y is \"zero\", expected a number"));
     EXPECT_THAT(reading("x,y,z\nnan,0,1\n").error(), testing::HasSubstr(":2: "));
-    EXPECT_THAT(reading("x,y,z\n0,1\n").error(), testing::HasSubstr(":2: z is not a number"));
+    EXPECT_THAT(reading("x,y,z\n0,1\n").error(), testing::HasSubstr(":2: 2 fields, expected 3"));
+    EXPECT_THAT(reading("x,y,z\n0,0,1,7\n").error(),
+                testing::HasSubstr(":2: 4 fields, expected 3"));
+    EXPECT_THAT(reading("x,y,z,x\n0,0,1,0\n").error(),
+                testing::HasSubstr(":1: the header row has to name"));
+    EXPECT_THAT(reading(std::string("x,y,z\n0,\0000,1\n", 14)).error(),
+                testing::HasSubstr(":2: a zero byte"));
     EXPECT_THAT(reading("a,b,c\n").error(), testing::HasSubstr(":1: the header row has to name"));
     EXPECT_THAT(reading("x,y,z\n").error(), testing::HasSubstr("has no directions"));
 }

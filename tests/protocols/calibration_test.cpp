@@ -67,6 +67,17 @@ TEST(Photometer, SaysWhatIsWrongWithMeasurements) {
     EXPECT_THAT(error("code,cd_m2\n0,1\n255,2\n"), HasSubstr("2 greys, expected at least 9"));
     EXPECT_THAT(error(whole + "255,121\n"), HasSubstr("code 255 comes twice"));
     EXPECT_THAT(error(whole + "254,121\n"), HasSubstr("code 255 is not lighter than code 254"));
+    EXPECT_EQ(error(std::string("code,cd_m2\n0,\0001\n", 16)),
+              "c.csv:2: a zero byte; save the file as text");
+}
+
+TEST(Photometer, ReadsWhatSpreadsheetsWrite) {
+    std::string text = "\xEF\xBB\xBF";
+    for (const char c : measured(0.2, 120, 2.2))
+        text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    const auto steps = parse_photometer(text, "c.csv");
+    ASSERT_TRUE(steps) << steps.error();
+    EXPECT_EQ(*steps, parse_photometer(measured(0.2, 120, 2.2), "c.csv").value());
 }
 
 } // namespace

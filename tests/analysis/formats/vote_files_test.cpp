@@ -218,12 +218,12 @@ TEST(VoteFiles, NamesThatDifferOnlyInBlanksAreRefused) {
               "v.csv: observers 'O' and 'O ' differ only in blanks around them, expected one "
               "spelling");
     EXPECT_EQ(error_of(header + std::string("O,1,a\0,b,left\n", 14)),
-              "v.csv:2: a zero byte; save the table as text");
+              "v.csv:2: a zero byte; save the file as text");
 }
 
 TEST(VoteFiles, TextThatIsNoUtf8IsNamedByItsLine) {
     EXPECT_EQ(error_of("observer,left,right,chosen\nO,caf\xE9,y,left\n"),
-              "v.csv:2: a byte that is no UTF-8; save the table as UTF-8");
+              "v.csv:2: a byte that is no UTF-8; save the file as UTF-8");
     EXPECT_FALSE(first_line_not_utf8("caf\u00e9, \u65e5\u672c, \U0001F600"));
     EXPECT_TRUE(first_line_not_utf8("\xC0\x80"));     // overlong
     EXPECT_TRUE(first_line_not_utf8("\xED\xA0\x80")); // a surrogate

@@ -21,46 +21,6 @@ CostReport with_choice() {
     return report;
 }
 
-TEST(CostJson, IsReadBackAsItWasWritten) {
-    const auto report = with_choice();
-    const auto again = parse_cost(cost_json(report), "cost.json");
-    ASSERT_TRUE(again) << again.error();
-    EXPECT_EQ(*again, report);
-}
-
-TEST(CostJson, SaysWhatIsWrongWithAFile) {
-    EXPECT_THAT(parse_cost("{", "c.json").error(), StartsWith("c.json: not a cost report"));
-    EXPECT_THAT(parse_cost("{\"form\": 1}", "c.json").error(), HasSubstr("run `pairlight cost`"));
-    auto text = cost_json(with_choice());
-    const std::string row = "\"row\": 2";
-    ASSERT_NE(text.find(row), text.npos);
-    text.replace(text.find(row), row.size(), "\"row\": 9");
-    EXPECT_EQ(parse_cost(text, "c.json").error(), "c.json: a choice names a row that is not there");
-}
-
-TEST(CostJson, RefusesNumbersThatNothingMeasures) {
-    const auto text = cost_json(with_choice());
-    const auto complaint = [&](const std::string& there, const std::string& instead) {
-        auto damaged = text;
-        const auto place = damaged.find(there);
-        EXPECT_NE(place, std::string::npos) << there;
-        damaged.replace(place, there.size(), instead);
-        const auto report = parse_cost(damaged, "c.json");
-        return report ? "" : report.error();
-    };
-    EXPECT_EQ(
-        complaint("\"bytes_per_vertex\": 100", "\"bytes_per_vertex\": -5"),
-        "c.json: bytes_per_vertex is -5, expected a whole number from 0; run `pairlight cost` "
-        "again");
-    EXPECT_THAT(complaint("\"bytes_per_vertex\": 100", "\"bytes_per_vertex\": 1.7"),
-                HasSubstr("bytes_per_vertex is 1.7"));
-    EXPECT_THAT(complaint("\"law\": 0.2", "\"law\": -0.5"), HasSubstr("law is -0.5"));
-    EXPECT_THAT(complaint("\"law\": 0.2", "\"law\": 1e308"), HasSubstr("law is 1e+308"));
-    EXPECT_THAT(complaint("\"lower\": 5", "\"lower\": 9995"), HasSubstr("lower <= median"));
-    EXPECT_THAT(complaint("\"error\": \"law\"", "\"error\": \"bogus\""),
-                HasSubstr("wish.error is \"bogus\""));
-}
-
 TEST(CostCsv, HasARowForEveryLightAndSettingAndNothingForWhatIsNotKnown) {
     const auto text = cost_csv(with_choice());
     EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 2 * 4);

@@ -29,6 +29,19 @@ TEST(EarlierRuns, StandTogetherUnderAllTheirNames) {
     EXPECT_EQ(both->scenes[1], cube().report.scenes[0]);
 }
 
+TEST(EarlierRuns, AreKeptUnderTheNameOfWhatTheyMeasured) {
+    EXPECT_TRUE(expect_subject({ball(), cube()}, "A cube", "my-study"));
+    auto both = ball();
+    both.report.subject = "A ball, A cube";
+    EXPECT_TRUE(expect_subject({both}, "A ball", "my-study"));
+    EXPECT_TRUE(expect_subject({both}, "A cube", "my-study"));
+    EXPECT_TRUE(expect_subject({both}, "A ball, A cube", "my-study"));
+    EXPECT_EQ(expect_subject({ball(), cube()}, "ball", "ball.ply").error(),
+              "a/cost.json: measured is \"A ball\", \"A cube\", and ball.ply is \"ball\"; expected "
+              "the name of what was measured");
+    EXPECT_FALSE(expect_subject({both}, "A", "a.off"));
+}
+
 TEST(EarlierRuns, HaveEveryPictureOnce) {
     EXPECT_EQ(together({ball(), ball()}).error(),
               "a/cost.json: scene \"ball\", variant \"back\" is in an earlier --from already, "

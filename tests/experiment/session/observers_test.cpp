@@ -83,6 +83,7 @@ TEST(SimulatedObserver, RefusesWhatItDoesNotUnderstand) {
     EXPECT_THAT(error_of("lapse=1.5"), HasSubstr("0 to 1"));
     EXPECT_THAT(error_of("seed=-1"), HasSubstr("a whole number"));
     EXPECT_THAT(error_of("mood=good"), HasSubstr("\"mood=good\", expected scores=, noise="));
+    EXPECT_THAT(error_of("noise=1;noise=2"), HasSubstr("\"noise=2\", expected noise once"));
     EXPECT_THAT(error_of("noise=1;"), HasSubstr("\"\", expected scores="));
 }
 

@@ -38,11 +38,31 @@ TEST(Manifest, IsReadBackAsItWasWritten) {
 }
 
 TEST(Manifest, SaysWhichFileIsNotOne) {
-    EXPECT_THAT(parse_manifest("{", "m.json").error(),
-                testing::StartsWith("m.json: not a stimuli manifest"));
-    EXPECT_THAT(parse_manifest("{\"form\": 1}", "m.json").error(), testing::HasSubstr("program"));
+    EXPECT_EQ(parse_manifest("{", "m.json").error(),
+              "m.json:1: the JSON ends before it is complete; expected the manifest as it was "
+              "written; take the file away and run `pairlight render` again");
+    EXPECT_THAT(parse_manifest("{\"form\": 1}", "m.json").error(),
+                testing::StartsWith("m.json:1: there is no program; "));
     EXPECT_THAT(parse_manifest("{\"form\": 7}", "m.json").error(),
-                testing::HasSubstr("form 7, expected 1"));
+                testing::HasSubstr("form is 7, expected 1"));
+}
+
+TEST(Manifest, HasEveryPictureOnceAndOfASizeThatCanBe) {
+    const auto text = manifest_json(two_pictures());
+    const auto complaint = [&](const std::string& there, const std::string& instead) {
+        auto damaged = text;
+        const auto place = damaged.find(there);
+        EXPECT_NE(place, std::string::npos) << there;
+        damaged.replace(place, there.size(), instead);
+        const auto manifest = parse_manifest(damaged, "m.json");
+        return manifest ? "" : manifest.error();
+    };
+    EXPECT_THAT(complaint("\"width\": 8", "\"width\": -8"),
+                testing::HasSubstr("width is -8, expected a whole number from 0"));
+    EXPECT_THAT(complaint("\"width\": 8", "\"width\": 8, \"width\": 9"),
+                testing::HasSubstr("'width' stands twice"));
+    const auto once = text.substr(text.find("[\n") + 2, text.rfind("\n  ]") - text.find("[\n") - 2);
+    EXPECT_THAT(complaint(once, once + ",\n" + once), testing::HasSubstr("is there twice"));
 }
 
 } // namespace

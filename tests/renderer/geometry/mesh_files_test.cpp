@@ -214,6 +214,7 @@ TEST(OffFile, SaysWhatIsWrongAndWhere) {
         return error_of(read_off(with(good, old, replacement), "a.off"));
     };
     EXPECT_EQ(error("OFF", "PLY"), "a.off:1: 'PLY', expected OFF");
+    EXPECT_EQ(error_of(read_off("", "a.off")), "a.off:1: nothing, expected OFF");
     EXPECT_THAT(error("OFF", "4OFF"), HasSubstr("a.off:1: '4OFF' is not read here"));
     EXPECT_THAT(error("OFF", "OFF BINARY"), HasSubstr("binary OFF is not read here; save"));
     EXPECT_THAT(error("5 5 0", "5 x 0"), HasSubstr("a.off:2: '5' where the counts should be"));

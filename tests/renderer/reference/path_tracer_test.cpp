@@ -362,7 +362,7 @@ TEST(PathTracer, IsReciprocal) {
                b = glm::normalize(glm::dvec3(-1, 0.5, 0.2));
     const Medium medium = grey_medium(2, 0.9, 0.5, 1);
     const auto total = [&](glm::dvec3 eye, glm::dvec3 light) {
-        Picture picture{body, medium, matched, sun_from(light), {}};
+        Picture picture{body, medium, matched, sun_from(light), {}, {}};
         // an orthographic camera that sees all of the body
         const glm::dvec3 u = glm::normalize(glm::cross({0, 1, 0}, eye)), v = glm::cross(eye, u);
         picture.camera.view_from_world = glm::dmat4(glm::transpose(glm::dmat3(u, v, eye)));

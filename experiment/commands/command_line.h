@@ -1,0 +1,23 @@
+// What is wrong with the words after `pairlight`, where the parser would blame the wrong one or say
+// so in words of its own.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace CLI {
+class App;
+class ParseError;
+} // namespace CLI
+
+namespace experiment::commands {
+
+/// That every option has as many values as it needs before the next option: the parser would take
+/// that for a value, and complain of it or, worse, not at all.
+/// Errors: CommandError, with the option, what it was given and how many it takes.
+void expect_values(const CLI::App& program, std::span<const char* const> words);
+
+/// The parser's complaint and where to read on.
+std::string complaint_of(const CLI::App& program, const CLI::ParseError& error);
+
+} // namespace experiment::commands
