@@ -3,7 +3,7 @@
 
 #include "renderer/geometry/morton_order.h"
 #include "renderer/geometry/simplify.h"
-#include "renderer/methods/body_radiance.h"
+#include "renderer/shading/body_radiance.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +16,7 @@ namespace experiment::cost {
 
 namespace geometry = renderer::geometry;
 namespace methods = renderer::methods;
+namespace shading = renderer::shading;
 
 template <class T>
 using Expected = tl::expected<T, std::string>;
@@ -42,14 +43,14 @@ LoadedModel with_mesh(const LoadedModel& model, const geometry::Mesh& mesh) {
 MeshLevel::MeshLevel(LoadedModel model,
                      const renderer::Scene& seen,
                      double seconds,
-                     std::shared_ptr<const methods::Surface> surface)
+                     std::shared_ptr<const shading::Surface> surface)
     : model_(std::move(model)), seen_(seen), seconds_(seconds), surface_(std::move(surface)),
       fields_(model_, {}, FieldsKept::Nowhere),
-      transfers_(model_.mesh, seen_.material.medium, methods::mm_per_unit(seen_.placement)) {}
+      transfers_(model_.mesh, seen_.material.medium, shading::mm_per_unit(seen_.placement)) {}
 
 Expected<std::unique_ptr<MeshLevel>>
 MeshLevel::upload(LoadedModel model, const renderer::Scene& seen, double seconds) {
-    return methods::Surface::upload(model.mesh).map([&](auto surface) {
+    return shading::Surface::upload(model.mesh).map([&](auto surface) {
         return std::unique_ptr<MeshLevel>(
             new MeshLevel(std::move(model), seen, seconds, std::move(surface)));
     });

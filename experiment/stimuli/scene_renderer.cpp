@@ -11,8 +11,8 @@
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/image_files.h"
 #include "renderer/methods/catalogue.h"
-#include "renderer/methods/choice_change.h"
-#include "renderer/methods/picture.h"
+#include "renderer/pictures/choice_change.h"
+#include "renderer/pictures/picture.h"
 
 #include <fmt/core.h>
 
@@ -25,6 +25,8 @@ namespace experiment::stimuli {
 namespace fs = std::filesystem;
 namespace imaging = renderer::imaging;
 namespace methods = renderer::methods;
+namespace pictures = renderer::pictures;
+namespace shading = renderer::shading;
 
 using protocols::Picture;
 using protocols::Rendering;
@@ -90,7 +92,7 @@ Expected<void> SceneRenderer::prepare_contenders(const std::function<void(double
     const auto seen = seen_scene(*study_, *scene_, model_.mesh);
     if (!seen)
         return tl::unexpected(seen.error());
-    auto surface = methods::Surface::upload(model_.mesh);
+    auto surface = shading::Surface::upload(model_.mesh);
     if (!surface)
         return tl::unexpected(surface.error());
     TracedFields fields(model_, progress);
@@ -150,8 +152,8 @@ Expected<SceneRenderer::Drawn> SceneRenderer::draw(Contender& contender,
     const auto shaded =
         as_shaded(scene, std::get<Rendering>(contender.condition->source), scene_->id);
     const auto start = Clock::now();
-    auto image =
-        methods::render_picture(*contender.method, shaded, study_->width, study_->height, samples_);
+    auto image = pictures::render_picture(*contender.method, shaded, study_->width, study_->height,
+                                          samples_);
     if (!image)
         return tl::unexpected(image.error());
     PictureRecord record;
@@ -161,7 +163,7 @@ Expected<SceneRenderer::Drawn> SceneRenderer::draw(Contender& contender,
     if (const auto decision = contender.method->decision(); !decision.empty())
         record.decision = decision;
     record.predicted_change = contender.method->predicted_change();
-    const auto changed = methods::measured_change(*contender.method, shaded, *image, samples_);
+    const auto changed = pictures::measured_change(*contender.method, shaded, *image, samples_);
     if (!changed)
         return tl::unexpected(changed.error());
     record.measured_change = *changed;
@@ -259,17 +261,17 @@ SceneRenderer::fit(const std::vector<protocols::Variant>& variants,
     for (auto& contender : contenders_) {
         if (contender.method == nullptr)
             continue;
-        methods::ReflectanceFit best;
-        std::optional<methods::LightPictures> test;
+        pictures::ReflectanceFit best;
+        std::optional<pictures::LightPictures> test;
         for (const auto& variant : variants) {
             const auto scene = lit_scene(*study_, *scene_, variant, model_.mesh);
             if (!scene)
                 return tl::unexpected(scene.error());
-            auto terms = methods::term_pictures(*contender.method, *scene, study_->width,
-                                                study_->height, samples_);
+            auto terms = pictures::term_pictures(*contender.method, *scene, study_->width,
+                                                 study_->height, samples_);
             if (!terms)
                 return tl::unexpected(terms.error());
-            methods::LightPictures pictures{std::move(*terms), targets.at(variant.id)};
+            pictures::LightPictures pictures{std::move(*terms), targets.at(variant.id)};
             if (variant.id == held_out)
                 test = std::move(pictures);
             else if (auto added = best.add_training_light(pictures); !added)
@@ -279,7 +281,7 @@ SceneRenderer::fit(const std::vector<protocols::Variant>& variants,
         const auto result = best.best();
         Fit fit{scene_->id, contender.condition->id, result, {}};
         if (test) {
-            const auto error = methods::fit_error(result.reflectance, *test);
+            const auto error = pictures::fit_error(result.reflectance, *test);
             if (!error)
                 return tl::unexpected(error.error());
             fit.held_out_error = *error;

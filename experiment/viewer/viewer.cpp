@@ -16,7 +16,7 @@
 #include "renderer/gpu/context.h"
 #include "renderer/gpu/pixel_canvas.h"
 #include "renderer/methods/catalogue.h"
-#include "renderer/methods/picture.h"
+#include "renderer/pictures/picture.h"
 
 #include <fmt/format.h>
 
@@ -421,8 +421,9 @@ class Viewer {
             if (!is_seen(state_, i) || stage_ == nullptr)
                 continue;
             auto light = stage_->method(state_.sides[i]).and_then([&](auto* method) {
-                return renderer::methods::render_picture(*method, scene_now(), facts_.picture.width,
-                                                         facts_.picture.height, snapshot_samples);
+                return renderer::pictures::render_picture(*method, scene_now(),
+                                                          facts_.picture.width,
+                                                          facts_.picture.height, snapshot_samples);
             });
             if (!light)
                 return tl::unexpected(light.error());

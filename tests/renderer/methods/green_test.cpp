@@ -16,9 +16,9 @@ namespace {
 using namespace known_worlds;
 using methods::BlurredMap;
 using methods::GreenSettings;
-using methods::Law;
 using methods::NearestMap;
 using methods::PeeledMap;
+using shading::Law;
 
 /// Two plates of thickness t across the z axis, `gap` between them; the one behind (toward -z) is
 /// as wide as `behind`, the one before 2.
@@ -491,7 +491,7 @@ TEST_F(Green, ThicknessIsNeverNegativeUnderGrazingLight) {
 }
 
 TEST_F(Green, SaysWhatItCannotPrepare) {
-    const auto surface = *methods::Surface::upload(geometry::sphere(1, 2));
+    const auto surface = *shading::Surface::upload(geometry::sphere(1, 2));
     const auto error = [&](const GreenSettings& settings) {
         const auto method = make(settings, surface, nullptr);
         return method ? std::string("no error") : method.error();
@@ -516,9 +516,10 @@ TEST(GreenPeel, RefusesMapsThatNoMachineHolds) {
             methods::complete_for("green-peel", {{"layers", layers}, {"depth_map", depth_map}});
         return dials ? "no error" : dials.error().dial + " " + dials.error().what;
     };
-    EXPECT_EQ(refused(64, 16384),
-              "layers is 64 of 16384 x 16384 texels, a map of 64.0 GiB for every light, expected at "
-              "most 4 GiB: 4 layers, or a smaller depth_map");
+    EXPECT_EQ(
+        refused(64, 16384),
+        "layers is 64 of 16384 x 16384 texels, a map of 64.0 GiB for every light, expected at "
+        "most 4 GiB: 4 layers, or a smaller depth_map");
     EXPECT_EQ(refused(4, 16384), "no error");
     EXPECT_THAT(refused(5, 16384), testing::HasSubstr("a map of 5.0 GiB"));
     EXPECT_EQ(refused(64, 4096), "no error");
