@@ -2,6 +2,7 @@
 #include "experiment/cost/lit_case.h"
 
 #include "experiment/stimuli/lit_scene.h"
+#include "renderer/expected.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/pictures/picture.h"
 
@@ -16,8 +17,7 @@ namespace imaging = renderer::imaging;
 namespace methods = renderer::methods;
 namespace pictures = renderer::pictures;
 
-template <class T>
-using Expected = tl::expected<T, std::string>;
+using renderer::Expected;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "experiment/cost/timing.h"
 #include "experiment/stimuli/lit_scene.h"
 #include "renderer/cost/held_out_thickness.h"
+#include "renderer/expected.h"
 #include "renderer/geometry/morton_order.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/pictures/picture.h"
@@ -25,9 +26,8 @@ namespace shading = renderer::shading;
 using protocols::Scene;
 using protocols::Study;
 using protocols::Variant;
+using renderer::Expected;
 using renderer::cost::HeldOutThickness;
-template <class T>
-using Expected = tl::expected<T, std::string>;
 
 namespace {
 

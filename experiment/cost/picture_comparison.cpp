@@ -3,6 +3,7 @@
 #include "experiment/cost/picture_comparison.h"
 
 #include "renderer/cost/picture_error.h"
+#include "renderer/expected.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/errors.h"
 #include "renderer/imaging/flip.h"
@@ -21,10 +22,9 @@ namespace methods = renderer::methods;
 namespace pictures = renderer::pictures;
 
 using imaging::LinearImage;
+using renderer::Expected;
 using renderer::LinearRgb;
 using renderer::cost::relative_error;
-template <class T>
-using Expected = tl::expected<T, std::string>;
 
 namespace {
 

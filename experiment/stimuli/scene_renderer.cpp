@@ -7,17 +7,18 @@
 #include "experiment/text_files.h"
 #include "experiment/traced_fields.h"
 #include "protocols/digest.h"
+#include "renderer/expected.h"
 #include "renderer/geometry/morton_order.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/image_files.h"
 #include "renderer/methods/catalogue.h"
 #include "renderer/pictures/choice_change.h"
 #include "renderer/pictures/picture.h"
+#include "renderer/stopwatch.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace experiment::stimuli {
@@ -30,16 +31,9 @@ namespace shading = renderer::shading;
 
 using protocols::Picture;
 using protocols::Rendering;
-template <class T>
-using Expected = tl::expected<T, std::string>;
+using renderer::Expected;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 renderer::LinearRgb colour_of(const std::array<double, 3>& rgb) {
     return {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
@@ -115,13 +109,13 @@ Expected<void> SceneRenderer::prepare_contenders(const std::function<void(double
             contenders_.push_back({&condition, nullptr, {}});
             continue;
         }
-        const auto start = Clock::now();
+        const renderer::Stopwatch watch;
         auto method = methods::prepare_method(rendering->method, rendering->dials, subject);
         if (!method)
             return tl::unexpected(
                 fmt::format("condition \"{}\": {}", condition.id.value, method.error()));
         contenders_.push_back(
-            {&condition, std::move(*method), fields.seconds_alone(seconds_since(start))});
+            {&condition, std::move(*method), fields.seconds_alone(watch.seconds())});
     }
     return {};
 }
@@ -151,13 +145,13 @@ Expected<SceneRenderer::Drawn> SceneRenderer::draw(Contender& contender,
                                                    const renderer::Scene& scene) const {
     const auto shaded =
         as_shaded(scene, std::get<Rendering>(contender.condition->source), scene_->id);
-    const auto start = Clock::now();
+    const renderer::Stopwatch watch;
     auto image = pictures::render_picture(*contender.method, shaded, study_->width, study_->height,
                                           samples_);
     if (!image)
         return tl::unexpected(image.error());
     PictureRecord record;
-    record.frame_milliseconds = 1000.0 * seconds_since(start) / samples_;
+    record.frame_milliseconds = 1000.0 * watch.seconds() / samples_;
     record.precompute_seconds = contender.precompute_seconds;
     record.bytes_per_vertex = contender.method->cost().bytes_per_vertex;
     if (const auto decision = contender.method->decision(); !decision.empty())
@@ -172,7 +166,7 @@ Expected<SceneRenderer::Drawn> SceneRenderer::draw(Contender& contender,
 
 Expected<SceneRenderer::Drawn> SceneRenderer::draw_reference(const protocols::Condition& condition,
                                                              const renderer::Scene& scene) const {
-    const auto start = Clock::now();
+    const renderer::Stopwatch watch;
     auto picture = renderer::reference::reference_picture(
         model_.mesh, scene, study_->width, study_->height,
         reference_run(std::get<Rendering>(condition.source).dials));
@@ -182,7 +176,7 @@ Expected<SceneRenderer::Drawn> SceneRenderer::draw_reference(const protocols::Co
     PictureRecord record;
     record.decision = fmt::format("{} samples, standard error {:.3g} % of the mean",
                                   picture->samples, 100 * picture->outcome.state.relative_error);
-    record.frame_milliseconds = 1000.0 * seconds_since(start);
+    record.frame_milliseconds = 1000.0 * watch.seconds();
     return Drawn{{}, std::move(picture->image), std::move(record)};
 }
 

@@ -13,6 +13,7 @@
 #include "experiment/viewer/viewer_state.h"
 #include "experiment/viewer/viewpoint.h"
 #include "renderer/contract.h"
+#include "renderer/expected.h"
 #include "renderer/gpu/context.h"
 #include "renderer/gpu/pixel_canvas.h"
 #include "renderer/methods/catalogue.h"
@@ -36,8 +37,8 @@ namespace experiment::viewer {
 
 namespace gpu = renderer::gpu;
 namespace fs = std::filesystem;
-template <class T>
-using Expected = tl::expected<T, std::string>;
+
+using renderer::Expected;
 
 namespace {
 
