@@ -2,8 +2,8 @@
 #include "experiment/cost/contestants.h"
 
 #include "protocols/contract.h"
-#include "renderer/methods/attenuation.h"
 #include "renderer/methods/catalogue.h"
+#include "renderer/methods/shared_dials.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,8 +2,9 @@
 #include "experiment/cost/lit_case.h"
 
 #include "experiment/stimuli/lit_scene.h"
+#include "renderer/expected.h"
 #include "renderer/imaging/brightness.h"
-#include "renderer/methods/picture.h"
+#include "renderer/pictures/picture.h"
 
 #include <fmt/format.h>
 
@@ -14,9 +15,9 @@ namespace experiment::cost {
 
 namespace imaging = renderer::imaging;
 namespace methods = renderer::methods;
+namespace pictures = renderer::pictures;
 
-template <class T>
-using Expected = tl::expected<T, std::string>;
+using renderer::Expected;
 
 namespace {
 
@@ -53,7 +54,7 @@ Expected<Lit> lit_by(const SceneCase& measured,
         return tl::unexpected(scene.error());
     lit.scene = std::move(*scene);
     auto drawn =
-        methods::render_picture(exact, lit.scene, lit.width, lit.height, measured.options.samples);
+        pictures::render_picture(exact, lit.scene, lit.width, lit.height, measured.options.samples);
     if (!drawn)
         return tl::unexpected(drawn.error());
     lit.exact = std::move(*drawn);

@@ -8,9 +8,10 @@
 #include "experiment/cost/timing.h"
 #include "experiment/stimuli/lit_scene.h"
 #include "renderer/cost/held_out_thickness.h"
+#include "renderer/expected.h"
 #include "renderer/geometry/morton_order.h"
 #include "renderer/imaging/brightness.h"
-#include "renderer/methods/picture.h"
+#include "renderer/pictures/picture.h"
 
 #include <fmt/format.h>
 
@@ -19,13 +20,14 @@
 namespace experiment::cost {
 
 namespace methods = renderer::methods;
+namespace pictures = renderer::pictures;
+namespace shading = renderer::shading;
 
 using protocols::Scene;
 using protocols::Study;
 using protocols::Variant;
+using renderer::Expected;
 using renderer::cost::HeldOutThickness;
-template <class T>
-using Expected = tl::expected<T, std::string>;
 
 namespace {
 
@@ -134,7 +136,7 @@ Expected<void> Measurement::light_the_scene() {
 Expected<HeldOutThickness> Measurement::held_out_thickness(const Study& sized,
                                                            std::uint64_t seed) const {
     const auto law =
-        measured_.options.sweep.law == "paper" ? methods::Law::Paper : methods::Law::Physical;
+        measured_.options.sweep.law == "paper" ? shading::Law::Paper : shading::Law::Physical;
     return HeldOutThickness::prepare(*prepared_.exact.method, law, lit_.front().scene, sized.width,
                                      sized.height, measured_.options.held_out_lights, seed);
 }
@@ -182,8 +184,8 @@ Expected<double> Measurement::law_error_at_full_size(methods::Method& method,
     if (!scene)
         return tl::unexpected(scene.error());
     const auto draw = [&](methods::Method& drawn) {
-        return methods::render_picture(drawn, *scene, study.width, study.height,
-                                       2 * measured_.options.samples);
+        return pictures::render_picture(drawn, *scene, study.width, study.height,
+                                        2 * measured_.options.samples);
     };
     const auto exact = draw(*prepared_.exact.method);
     if (!exact)

@@ -1,14 +1,15 @@
 // Steps of one simplification; vertices in the order that is quickest to trace and to draw.
 #include "experiment/cost/mesh_level.h"
 
+#include "renderer/expected.h"
 #include "renderer/geometry/morton_order.h"
 #include "renderer/geometry/simplify.h"
-#include "renderer/methods/body_radiance.h"
+#include "renderer/shading/body_radiance.h"
+#include "renderer/stopwatch.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -16,17 +17,11 @@ namespace experiment::cost {
 
 namespace geometry = renderer::geometry;
 namespace methods = renderer::methods;
+namespace shading = renderer::shading;
 
-template <class T>
-using Expected = tl::expected<T, std::string>;
+using renderer::Expected;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 LoadedModel with_mesh(const LoadedModel& model, const geometry::Mesh& mesh) {
     auto other = model;
@@ -42,14 +37,14 @@ LoadedModel with_mesh(const LoadedModel& model, const geometry::Mesh& mesh) {
 MeshLevel::MeshLevel(LoadedModel model,
                      const renderer::Scene& seen,
                      double seconds,
-                     std::shared_ptr<const methods::Surface> surface)
+                     std::shared_ptr<const shading::Surface> surface)
     : model_(std::move(model)), seen_(seen), seconds_(seconds), surface_(std::move(surface)),
       fields_(model_, {}, FieldsKept::Nowhere),
-      transfers_(model_.mesh, seen_.material.medium, methods::mm_per_unit(seen_.placement)) {}
+      transfers_(model_.mesh, seen_.material.medium, shading::mm_per_unit(seen_.placement)) {}
 
 Expected<std::unique_ptr<MeshLevel>>
 MeshLevel::upload(LoadedModel model, const renderer::Scene& seen, double seconds) {
-    return methods::Surface::upload(model.mesh).map([&](auto surface) {
+    return shading::Surface::upload(model.mesh).map([&](auto surface) {
         return std::unique_ptr<MeshLevel>(
             new MeshLevel(std::move(model), seen, seconds, std::move(surface)));
     });
@@ -64,9 +59,9 @@ Expected<Contestant> MeshLevel::make(const Setting& setting) {
         .field = [&](const auto& asked) { return fields_.field(asked); },
         .progress = {},
         .transfer = [&](const auto& asked) { return transfers_.field(asked); }};
-    const auto start = Clock::now();
+    const renderer::Stopwatch watch;
     auto method = setting.method->prepare(setting.dials, subject);
-    const double elapsed = seconds_ + seconds_since(start);
+    const double elapsed = seconds_ + watch.seconds();
     const auto alone = fields_.seconds_alone(elapsed + transfers_.seconds_saved());
     if (!method)
         return tl::unexpected(method.error());
@@ -101,13 +96,13 @@ for_each_level(const LoadedModel& model,
     double seconds = 0;
     std::optional<Expected<geometry::Simplifier>> simplifier;
     for (const int share : one_of) {
-        const auto start = Clock::now();
+        const renderer::Stopwatch watch;
         if (!simplifier)
             simplifier = geometry::Simplifier::prepare(model.mesh);
         const auto simplified = simplifier->and_then([&](geometry::Simplifier& fine) {
             return fine.down_to(model.mesh.triangles.size() / static_cast<std::size_t>(share));
         });
-        seconds += seconds_since(start);
+        seconds += watch.seconds();
         if (!simplified)
             remark(fmt::format("{}: not measured: {}", level_words(share), simplified.error()));
         else if (auto done = visit_mesh(share, with_mesh(model, *simplified), seconds); !done)

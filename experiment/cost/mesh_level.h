@@ -7,8 +7,8 @@
 #include "experiment/models.h"
 #include "experiment/traced_fields.h"
 #include "renderer/methods/description.h"
-#include "renderer/methods/surface.h"
 #include "renderer/scene.h"
+#include "renderer/shading/surface.h"
 
 #include <tl/expected.hpp>
 
@@ -37,12 +37,12 @@ class MeshLevel {
     MeshLevel(LoadedModel model,
               const renderer::Scene& seen,
               double seconds,
-              std::shared_ptr<const renderer::methods::Surface> surface);
+              std::shared_ptr<const renderer::shading::Surface> surface);
 
     LoadedModel model_;
     renderer::Scene seen_;
     double seconds_;
-    std::shared_ptr<const renderer::methods::Surface> surface_;
+    std::shared_ptr<const renderer::shading::Surface> surface_;
     TracedFields fields_;
     SharedTransfers transfers_;
 };

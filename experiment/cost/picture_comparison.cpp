@@ -3,12 +3,13 @@
 #include "experiment/cost/picture_comparison.h"
 
 #include "renderer/cost/picture_error.h"
+#include "renderer/expected.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/errors.h"
 #include "renderer/imaging/flip.h"
-#include "renderer/methods/choice_change.h"
-#include "renderer/methods/fitting.h"
-#include "renderer/methods/picture.h"
+#include "renderer/pictures/choice_change.h"
+#include "renderer/pictures/fitting.h"
+#include "renderer/pictures/picture.h"
 
 #include <algorithm>
 #include <array>
@@ -18,12 +19,12 @@ namespace experiment::cost {
 
 namespace imaging = renderer::imaging;
 namespace methods = renderer::methods;
+namespace pictures = renderer::pictures;
 
 using imaging::LinearImage;
+using renderer::Expected;
 using renderer::LinearRgb;
 using renderer::cost::relative_error;
-template <class T>
-using Expected = tl::expected<T, std::string>;
 
 namespace {
 
@@ -80,13 +81,13 @@ Expected<void> compare_with_truth(const LinearImage& image, const Lit& lit, Ligh
 
 Expected<LightErrors>
 compare_picture(methods::Method& method, const Lit& lit, bool has_law, int samples) {
-    const auto image = methods::render_picture(method, lit.scene, lit.width, lit.height, samples);
+    const auto image = pictures::render_picture(method, lit.scene, lit.width, lit.height, samples);
     if (!image)
         return tl::unexpected(image.error());
     LightErrors errors;
     errors.decision = method.decision();
     errors.predicted_change = method.predicted_change();
-    const auto changed = methods::measured_change(method, lit.scene, *image, samples);
+    const auto changed = pictures::measured_change(method, lit.scene, *image, samples);
     if (!changed)
         return tl::unexpected(changed.error());
     errors.measured_change = *changed;
@@ -107,9 +108,9 @@ fitted_errors(methods::Method& method, std::span<const Lit> lights, int samples)
     if (std::ranges::any_of(lights, [](const Lit& lit) { return !lit.truth; }))
         return {};
     std::vector<std::array<LinearImage, 4>> terms;
-    methods::ReflectanceFit fit;
+    pictures::ReflectanceFit fit;
     for (const auto& lit : lights) {
-        auto drawn = methods::term_pictures(method, lit.scene, lit.width, lit.height, samples);
+        auto drawn = pictures::term_pictures(method, lit.scene, lit.width, lit.height, samples);
         if (!drawn)
             return tl::unexpected(drawn.error());
         if (auto added = fit.add_training_light({*drawn, lit.truth->image}); !added)

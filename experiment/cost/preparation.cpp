@@ -3,6 +3,7 @@
 
 #include "experiment/cost/mesh_level.h"
 #include "experiment/stimuli/lit_scene.h"
+#include "renderer/expected.h"
 #include "renderer/methods/catalogue.h"
 
 #include <fmt/format.h>
@@ -17,8 +18,7 @@ namespace experiment::cost {
 
 namespace methods = renderer::methods;
 
-template <class T>
-using Expected = tl::expected<T, std::string>;
+using renderer::Expected;
 
 namespace {
 

@@ -1,12 +1,11 @@
 // Computed for whoever asks first; what it took is kept, to charge the others with.
 #include "experiment/cost/shared_transfers.h"
 
-#include <chrono>
+#include "renderer/stopwatch.h"
 
 namespace experiment::cost {
 
 namespace transfer = renderer::transfer;
-using Clock = std::chrono::steady_clock;
 
 namespace {
 
@@ -27,13 +26,13 @@ SharedTransfers::field(const transfer::TransferOptions& options) {
                                               : std::make_shared<const transfer::TransferField>(
                                                     transfer::first_bands(*field, options.bands));
         }
-    const auto start = Clock::now();
+    const renderer::Stopwatch watch;
     auto field = transfer::compute_transfer_field(mesh_, medium_, mm_per_unit_, options);
     if (!field)
         return tl::unexpected(field.error());
     computed_.push_back({options,
                          std::make_shared<const transfer::TransferField>(std::move(*field)),
-                         std::chrono::duration<double>(Clock::now() - start).count()});
+                         watch.seconds()});
     return computed_.back().field;
 }
 

@@ -5,6 +5,7 @@
 #include "experiment/stimuli/reference_file.h"
 #include "experiment/stimuli/reference_recipe.h"
 #include "renderer/cost/picture_error.h"
+#include "renderer/expected.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/reference/convergence.h"
 
@@ -22,8 +23,7 @@ namespace reference = renderer::reference;
 using protocols::Scene;
 using protocols::Study;
 using protocols::Variant;
-template <class T>
-using Expected = tl::expected<T, std::string>;
+using renderer::Expected;
 
 namespace {
 

@@ -7,14 +7,14 @@
 #include "experiment/stimuli/scene_renderer.h"
 #include "experiment/text_files.h"
 #include "protocols/digest.h"
+#include "renderer/expected.h"
 
 #include <fmt/core.h>
 
 namespace experiment::stimuli {
 
 using protocols::Picture;
-template <class T>
-using Expected = tl::expected<T, std::string>;
+using renderer::Expected;
 
 namespace {
 

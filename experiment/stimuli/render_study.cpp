@@ -8,6 +8,7 @@
 #include "experiment/stimuli/scene_renderer.h"
 #include "experiment/text_files.h"
 #include "protocols/digest.h"
+#include "renderer/expected.h"
 #include "renderer/gpu/context.h"
 
 #include <fmt/core.h>
@@ -25,8 +26,7 @@ using protocols::Rendering;
 using protocols::Scene;
 using protocols::Study;
 using protocols::Variant;
-template <class T>
-using Expected = tl::expected<T, std::string>;
+using renderer::Expected;
 
 namespace {
 

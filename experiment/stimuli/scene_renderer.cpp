@@ -7,17 +7,18 @@
 #include "experiment/text_files.h"
 #include "experiment/traced_fields.h"
 #include "protocols/digest.h"
+#include "renderer/expected.h"
 #include "renderer/geometry/morton_order.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/image_files.h"
 #include "renderer/methods/catalogue.h"
-#include "renderer/methods/choice_change.h"
-#include "renderer/methods/picture.h"
+#include "renderer/pictures/choice_change.h"
+#include "renderer/pictures/picture.h"
+#include "renderer/stopwatch.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace experiment::stimuli {
@@ -25,19 +26,14 @@ namespace experiment::stimuli {
 namespace fs = std::filesystem;
 namespace imaging = renderer::imaging;
 namespace methods = renderer::methods;
+namespace pictures = renderer::pictures;
+namespace shading = renderer::shading;
 
 using protocols::Picture;
 using protocols::Rendering;
-template <class T>
-using Expected = tl::expected<T, std::string>;
+using renderer::Expected;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 renderer::LinearRgb colour_of(const std::array<double, 3>& rgb) {
     return {static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
@@ -90,7 +86,7 @@ Expected<void> SceneRenderer::prepare_contenders(const std::function<void(double
     const auto seen = seen_scene(*study_, *scene_, model_.mesh);
     if (!seen)
         return tl::unexpected(seen.error());
-    auto surface = methods::Surface::upload(model_.mesh);
+    auto surface = shading::Surface::upload(model_.mesh);
     if (!surface)
         return tl::unexpected(surface.error());
     TracedFields fields(model_, progress);
@@ -113,13 +109,13 @@ Expected<void> SceneRenderer::prepare_contenders(const std::function<void(double
             contenders_.push_back({&condition, nullptr, {}});
             continue;
         }
-        const auto start = Clock::now();
+        const renderer::Stopwatch watch;
         auto method = methods::prepare_method(rendering->method, rendering->dials, subject);
         if (!method)
             return tl::unexpected(
                 fmt::format("condition \"{}\": {}", condition.id.value, method.error()));
         contenders_.push_back(
-            {&condition, std::move(*method), fields.seconds_alone(seconds_since(start))});
+            {&condition, std::move(*method), fields.seconds_alone(watch.seconds())});
     }
     return {};
 }
@@ -149,19 +145,19 @@ Expected<SceneRenderer::Drawn> SceneRenderer::draw(Contender& contender,
                                                    const renderer::Scene& scene) const {
     const auto shaded =
         as_shaded(scene, std::get<Rendering>(contender.condition->source), scene_->id);
-    const auto start = Clock::now();
-    auto image =
-        methods::render_picture(*contender.method, shaded, study_->width, study_->height, samples_);
+    const renderer::Stopwatch watch;
+    auto image = pictures::render_picture(*contender.method, shaded, study_->width, study_->height,
+                                          samples_);
     if (!image)
         return tl::unexpected(image.error());
     PictureRecord record;
-    record.frame_milliseconds = 1000.0 * seconds_since(start) / samples_;
+    record.frame_milliseconds = 1000.0 * watch.seconds() / samples_;
     record.precompute_seconds = contender.precompute_seconds;
     record.bytes_per_vertex = contender.method->cost().bytes_per_vertex;
     if (const auto decision = contender.method->decision(); !decision.empty())
         record.decision = decision;
     record.predicted_change = contender.method->predicted_change();
-    const auto changed = methods::measured_change(*contender.method, shaded, *image, samples_);
+    const auto changed = pictures::measured_change(*contender.method, shaded, *image, samples_);
     if (!changed)
         return tl::unexpected(changed.error());
     record.measured_change = *changed;
@@ -170,7 +166,7 @@ Expected<SceneRenderer::Drawn> SceneRenderer::draw(Contender& contender,
 
 Expected<SceneRenderer::Drawn> SceneRenderer::draw_reference(const protocols::Condition& condition,
                                                              const renderer::Scene& scene) const {
-    const auto start = Clock::now();
+    const renderer::Stopwatch watch;
     auto picture = renderer::reference::reference_picture(
         model_.mesh, scene, study_->width, study_->height,
         reference_run(std::get<Rendering>(condition.source).dials));
@@ -180,7 +176,7 @@ Expected<SceneRenderer::Drawn> SceneRenderer::draw_reference(const protocols::Co
     PictureRecord record;
     record.decision = fmt::format("{} samples, standard error {:.3g} % of the mean",
                                   picture->samples, 100 * picture->outcome.state.relative_error);
-    record.frame_milliseconds = 1000.0 * seconds_since(start);
+    record.frame_milliseconds = 1000.0 * watch.seconds();
     return Drawn{{}, std::move(picture->image), std::move(record)};
 }
 
@@ -259,17 +255,17 @@ SceneRenderer::fit(const std::vector<protocols::Variant>& variants,
     for (auto& contender : contenders_) {
         if (contender.method == nullptr)
             continue;
-        methods::ReflectanceFit best;
-        std::optional<methods::LightPictures> test;
+        pictures::ReflectanceFit best;
+        std::optional<pictures::LightPictures> test;
         for (const auto& variant : variants) {
             const auto scene = lit_scene(*study_, *scene_, variant, model_.mesh);
             if (!scene)
                 return tl::unexpected(scene.error());
-            auto terms = methods::term_pictures(*contender.method, *scene, study_->width,
-                                                study_->height, samples_);
+            auto terms = pictures::term_pictures(*contender.method, *scene, study_->width,
+                                                 study_->height, samples_);
             if (!terms)
                 return tl::unexpected(terms.error());
-            methods::LightPictures pictures{std::move(*terms), targets.at(variant.id)};
+            pictures::LightPictures pictures{std::move(*terms), targets.at(variant.id)};
             if (variant.id == held_out)
                 test = std::move(pictures);
             else if (auto added = best.add_training_light(pictures); !added)
@@ -279,7 +275,7 @@ SceneRenderer::fit(const std::vector<protocols::Variant>& variants,
         const auto result = best.best();
         Fit fit{scene_->id, contender.condition->id, result, {}};
         if (test) {
-            const auto error = methods::fit_error(result.reflectance, *test);
+            const auto error = pictures::fit_error(result.reflectance, *test);
             if (!error)
                 return tl::unexpected(error.error());
             fit.held_out_error = *error;

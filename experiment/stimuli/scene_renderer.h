@@ -6,8 +6,8 @@
 #include "experiment/study_folder.h"
 #include "protocols/study.h"
 #include "renderer/imaging/linear_image.h"
-#include "renderer/methods/fitting.h"
 #include "renderer/methods/method.h"
+#include "renderer/pictures/fitting.h"
 
 #include <tl/expected.hpp>
 
@@ -30,8 +30,8 @@ std::filesystem::path exr_file(const StudyFolder& folder, const protocols::Pictu
 struct Fit {
     protocols::SceneId scene;
     protocols::ConditionId condition;
-    renderer::methods::ReflectanceFit::Result best;
-    std::optional<renderer::methods::RelativeError> held_out_error; ///< of the light left out
+    renderer::pictures::ReflectanceFit::Result best;
+    std::optional<renderer::pictures::RelativeError> held_out_error; ///< of the light left out
 };
 
 /// Needs a current OpenGL context, and has to be gone before that is.

@@ -3,6 +3,7 @@
 
 #include "experiment/materials.h"
 #include "experiment/read_study.h"
+#include "renderer/expected.h"
 #include "renderer/geometry/model_library.h"
 #include "renderer/materials.h"
 #include "renderer/methods/catalogue.h"
@@ -18,8 +19,8 @@ namespace experiment::viewer {
 
 namespace fs = std::filesystem;
 namespace methods = renderer::methods;
-template <class T>
-using Expected = tl::expected<T, std::string>;
+
+using renderer::Expected;
 
 namespace {
 

@@ -11,6 +11,7 @@
 namespace experiment::viewer {
 
 namespace methods = renderer::methods;
+namespace shading = renderer::shading;
 
 namespace {
 
@@ -21,7 +22,7 @@ constexpr std::size_t most_kept = 8;
 
 Stage::Stage(const Piece& piece,
              LoadedModel model,
-             std::shared_ptr<const methods::Surface> surface,
+             std::shared_ptr<const shading::Surface> surface,
              renderer::thickness::Progress progress)
     : piece_(piece), model_(std::move(model)), surface_(std::move(surface)),
       progress_(std::move(progress)), fields_(model_, progress_) {}
@@ -32,7 +33,7 @@ Stage::open(const Exhibit& exhibit, const Piece& piece, renderer::thickness::Pro
     if (!model)
         return tl::unexpected(model.error());
     model->mesh = renderer::geometry::along_morton_curve(model->mesh); // as for stimuli
-    auto surface = methods::Surface::upload(model->mesh);
+    auto surface = shading::Surface::upload(model->mesh);
     if (!surface)
         return tl::unexpected(surface.error());
     return std::unique_ptr<Stage>(

@@ -6,7 +6,7 @@
 #include "experiment/viewer/exhibit.h"
 #include "experiment/viewer/viewer_state.h"
 #include "renderer/methods/method.h"
-#include "renderer/methods/surface.h"
+#include "renderer/shading/surface.h"
 #include "renderer/thickness/thickness_field.h"
 
 #include <tl/expected.hpp>
@@ -45,14 +45,14 @@ class Stage {
 
     Stage(const Piece& piece,
           LoadedModel model,
-          std::shared_ptr<const renderer::methods::Surface> surface,
+          std::shared_ptr<const renderer::shading::Surface> surface,
           renderer::thickness::Progress progress);
 
     Made make(const Side& side);
 
     Piece piece_;
     LoadedModel model_;
-    std::shared_ptr<const renderer::methods::Surface> surface_;
+    std::shared_ptr<const renderer::shading::Surface> surface_;
     renderer::thickness::Progress progress_;
     TracedFields fields_;
     std::vector<Entry> entries_; ///< the one used last stands last

@@ -13,10 +13,11 @@
 #include "experiment/viewer/viewer_state.h"
 #include "experiment/viewer/viewpoint.h"
 #include "renderer/contract.h"
+#include "renderer/expected.h"
 #include "renderer/gpu/context.h"
 #include "renderer/gpu/pixel_canvas.h"
 #include "renderer/methods/catalogue.h"
-#include "renderer/methods/picture.h"
+#include "renderer/pictures/picture.h"
 
 #include <fmt/format.h>
 
@@ -36,8 +37,8 @@ namespace experiment::viewer {
 
 namespace gpu = renderer::gpu;
 namespace fs = std::filesystem;
-template <class T>
-using Expected = tl::expected<T, std::string>;
+
+using renderer::Expected;
 
 namespace {
 
@@ -421,8 +422,9 @@ class Viewer {
             if (!is_seen(state_, i) || stage_ == nullptr)
                 continue;
             auto light = stage_->method(state_.sides[i]).and_then([&](auto* method) {
-                return renderer::methods::render_picture(*method, scene_now(), facts_.picture.width,
-                                                         facts_.picture.height, snapshot_samples);
+                return renderer::pictures::render_picture(*method, scene_now(),
+                                                          facts_.picture.width,
+                                                          facts_.picture.height, snapshot_samples);
             });
             if (!light)
                 return tl::unexpected(light.error());

@@ -2,10 +2,10 @@
 #include "renderer/cost/frame_times.h"
 
 #include "renderer/gpu/context.h"
+#include "renderer/stopwatch.h"
 #include "renderer/units.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <ctime>
@@ -13,8 +13,6 @@
 namespace renderer::cost {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 struct Seconds {
     double clock = 0, processor = 0;
@@ -39,7 +37,7 @@ Expected<Seconds> seconds_of_a_frame(const Turn& turn, Scene scene, int first_fr
         move_light(scene, first_frame - 1);
     if (const auto drawn = draw_frame(turn, scene); !drawn)
         return tl::unexpected(drawn.error());
-    const auto start = Clock::now();
+    const Stopwatch watch;
     const double processor = processor_seconds();
     for (int i = 0; i < frames; ++i) {
         if (turn.light_moves)
@@ -47,8 +45,7 @@ Expected<Seconds> seconds_of_a_frame(const Turn& turn, Scene scene, int first_fr
         if (const auto drawn = draw_frame(turn, scene); !drawn)
             return tl::unexpected(drawn.error());
     }
-    return Seconds{std::chrono::duration<double>(Clock::now() - start).count() / frames,
-                   (processor_seconds() - processor) / frames};
+    return Seconds{watch.seconds() / frames, (processor_seconds() - processor) / frames};
 }
 
 } // namespace

@@ -11,7 +11,7 @@
 namespace renderer::cost {
 
 Expected<HeldOutThickness> HeldOutThickness::prepare(methods::Method& exact,
-                                                     methods::Law law,
+                                                     shading::Law law,
                                                      Scene scene,
                                                      int width,
                                                      int height,

@@ -4,9 +4,9 @@
 
 #include "renderer/cost/picture_error.h"
 #include "renderer/expected.h"
-#include "renderer/methods/attenuation.h"
 #include "renderer/methods/method.h"
 #include "renderer/scene.h"
+#include "renderer/shading/attenuation.h"
 
 #include <cstdint>
 #include <optional>
@@ -22,7 +22,7 @@ class HeldOutThickness {
     /// directions all around, turned at random by `seed`.
     /// Errors: those of `seen_thickness`.
     static Expected<HeldOutThickness> prepare(methods::Method& exact,
-                                              methods::Law law,
+                                              shading::Law law,
                                               Scene scene,
                                               int width,
                                               int height,
@@ -40,7 +40,7 @@ class HeldOutThickness {
         std::vector<std::optional<double>> exact;
     };
 
-    methods::Law law_ = methods::Law::Physical;
+    shading::Law law_ = shading::Law::Physical;
     int width_ = 0, height_ = 0;
     std::vector<Lit> lit_;
 };

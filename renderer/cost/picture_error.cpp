@@ -2,7 +2,7 @@
 #include "renderer/cost/picture_error.h"
 
 #include "renderer/contract.h"
-#include "renderer/methods/picture.h"
+#include "renderer/pictures/picture.h"
 
 #include <fmt/format.h>
 
@@ -77,8 +77,8 @@ Expected<double> relative_error(const imaging::LinearImage& test,
 }
 
 Expected<std::vector<std::optional<double>>>
-seen_thickness(methods::Method& method, methods::Law law, Scene scene, int width, int height) {
-    const int c = law == methods::Law::Paper ? 1 : clearest_channel(scene.material.medium);
+seen_thickness(methods::Method& method, shading::Law law, Scene scene, int width, int height) {
+    const int c = law == shading::Law::Paper ? 1 : clearest_channel(scene.material.medium);
     if (c < 0)
         return tl::make_unexpected("the medium absorbs nothing, and all light comes through any "
                                    "thickness: expected a sigma_a above 0 in some channel");
@@ -87,14 +87,14 @@ seen_thickness(methods::Method& method, methods::Law law, Scene scene, int width
     k.scatter = {1, 1, 1};
     for (auto& light : scene.lights)
         light.intensity = {1, 1, 1};
-    const auto picture = methods::render_picture(method, scene, width, height, 1);
+    const auto picture = pictures::render_picture(method, scene, width, height, 1);
     if (!picture)
         return tl::make_unexpected(picture.error());
     std::vector<std::optional<double>> thickness(picture->pixels.size());
     for (std::size_t i = 0; i < thickness.size(); ++i)
         if (picture->coverage[i] == 1.0F) {
             const double left = channel(picture->pixels[i], c);
-            thickness[i] = law == methods::Law::Paper // a NaN stays one: it is not below 1e-300
+            thickness[i] = law == shading::Law::Paper // a NaN stays one: it is not below 1e-300
                                ? 1 - left
                                : -std::log(left < 1e-300 ? 1e-300 : left);
         }

@@ -3,9 +3,9 @@
 
 #include "renderer/expected.h"
 #include "renderer/imaging/linear_image.h"
-#include "renderer/methods/attenuation.h"
 #include "renderer/methods/method.h"
 #include "renderer/scene.h"
+#include "renderer/shading/attenuation.h"
 
 #include <cstddef>
 #include <optional>
@@ -38,6 +38,6 @@ Expected<double> relative_error(const imaging::LinearImage& test,
 /// `render_picture`; a medium that absorbs nothing under the physical law, for then no picture
 /// tells a thickness.
 Expected<std::vector<std::optional<double>>>
-seen_thickness(methods::Method& method, methods::Law law, Scene scene, int width, int height);
+seen_thickness(methods::Method& method, shading::Law law, Scene scene, int width, int height);
 
 } // namespace renderer::cost

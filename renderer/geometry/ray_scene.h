@@ -83,6 +83,10 @@ class RayScene {
         return (point - centre_) / model_per_scene_;
     }
 
+    glm::dvec3 model_from_scene(glm::dvec3 point) const {
+        return centre_ + model_per_scene_ * point;
+    }
+
   private:
     struct Handles;
     glm::dvec3 centre_{};

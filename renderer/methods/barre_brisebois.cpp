@@ -4,9 +4,10 @@
 #include "renderer/gpu/buffer.h"
 #include "renderer/methods/barre_brisebois.frag.h"
 #include "renderer/methods/barre_brisebois.vert.h"
-#include "renderer/methods/lighting.h"
-#include "renderer/methods/local_thickness.h"
-#include "renderer/methods/shading.h"
+#include "renderer/methods/shared_dials.h"
+#include "renderer/shading/lighting.h"
+#include "renderer/shading/shading.h"
+#include "renderer/thickness/local_thickness.h"
 
 #include <glm/mat3x3.hpp>
 
@@ -21,7 +22,9 @@ constexpr unsigned thickness_location = 2; // behind position and normal
 
 class BarreBrisebois : public Method {
   public:
-    BarreBrisebois(SurfaceShader shader, gpu::Buffer thickness, const std::array<float, 4>& lobe)
+    BarreBrisebois(shading::SurfaceShader shader,
+                   gpu::Buffer thickness,
+                   const std::array<float, 4>& lobe)
         : shader_(std::move(shader)), thickness_(std::move(thickness)),
           lobe_(gpu::Buffer::holding<float>(lobe)) {
         shader_.vertex_array().feed(thickness_location, thickness_, {.components = 1});
@@ -37,7 +40,7 @@ class BarreBrisebois : public Method {
     Cost cost() const override { return {.bytes_per_vertex = sizeof(float)}; }
 
   private:
-    SurfaceShader shader_;
+    shading::SurfaceShader shader_;
     gpu::Buffer thickness_;
     gpu::Buffer lobe_;
 };
@@ -75,8 +78,9 @@ Expected<std::unique_ptr<Method>> prepare_from_dials(const Dials& given, const S
     const auto field = subject.field({.kind = kind}); // SHSS's own, when it is at its presets
     if (!field)
         return tl::make_unexpected(field.error());
-    return prepare_barre_brisebois(settings, subject.surface, subject.mesh, **field,
-                                   mean_stretch(glm::dmat3(subject.placement.world_from_model)));
+    return prepare_barre_brisebois(
+        settings, subject.surface, subject.mesh, **field,
+        shading::mean_stretch(glm::dmat3(subject.placement.world_from_model)));
 }
 
 } // namespace
@@ -90,26 +94,27 @@ Description describe_barre_brisebois() {
             .sweep = one_at_a_time({{"thickness", {"first"}}})};
 }
 
-Expected<std::unique_ptr<Method>> prepare_barre_brisebois(const BarreBriseboisSettings& settings,
-                                                          std::shared_ptr<const Surface> surface,
-                                                          const geometry::Mesh& mesh,
-                                                          const thickness::ThicknessField& field,
-                                                          double mm_per_unit) {
-    const auto attenuation = attenuation_for(settings.law, &field);
+Expected<std::unique_ptr<Method>>
+prepare_barre_brisebois(const BarreBriseboisSettings& settings,
+                        std::shared_ptr<const shading::Surface> surface,
+                        const geometry::Mesh& mesh,
+                        const thickness::ThicknessField& field,
+                        double mm_per_unit) {
+    const auto attenuation = shading::attenuation_for(settings.law, &field);
     if (!attenuation)
         return tl::make_unexpected(attenuation.error());
-    const auto baked = local_thickness(mesh, field);
+    const auto baked = thickness::local_thickness(mesh, field);
     if (!baked)
         return tl::make_unexpected(baked.error());
     std::vector<float> thickness;
     thickness.reserve(baked->size());
     for (const double d : *baked)
         thickness.push_back(static_cast<float>(d * mm_per_unit));
-    auto shader =
-        SurfaceShader::prepare(std::move(surface), *attenuation,
-                               {.defines = {},
-                                .vertex = {{"barre_brisebois.vert", barre_brisebois_vert}},
-                                .fragment = {{"barre_brisebois.frag", barre_brisebois_frag}}});
+    auto shader = shading::SurfaceShader::prepare(
+        std::move(surface), *attenuation,
+        {.defines = {},
+         .vertex = {{"barre_brisebois.vert", barre_brisebois_vert}},
+         .fragment = {{"barre_brisebois.frag", barre_brisebois_frag}}});
     if (!shader)
         return tl::make_unexpected(shader.error());
     const std::array lobe{static_cast<float>(settings.distortion),

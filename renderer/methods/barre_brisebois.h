@@ -3,8 +3,8 @@
 #pragma once
 
 #include "renderer/geometry/mesh.h"
-#include "renderer/methods/attenuation.h"
 #include "renderer/methods/description.h"
+#include "renderer/shading/attenuation.h"
 
 namespace renderer::methods {
 
@@ -17,16 +17,17 @@ struct BarreBriseboisSettings {
     double power = 4;        ///< how narrow the lobe is, 1..64
     double scale = 0.9;
     double ambient = 0.1; ///< what comes through toward every side
-    Law law = Law::Physical;
+    shading::Law law = shading::Law::Physical;
 };
 
 /// Bakes the local thickness of `mesh`, the surface's own, from `field`; `mm_per_unit` is the
 /// placement's scale.
 /// Errors: a field of another mesh, the paper's law without a positive D_n.
-Expected<std::unique_ptr<Method>> prepare_barre_brisebois(const BarreBriseboisSettings& settings,
-                                                          std::shared_ptr<const Surface> surface,
-                                                          const geometry::Mesh& mesh,
-                                                          const thickness::ThicknessField& field,
-                                                          double mm_per_unit);
+Expected<std::unique_ptr<Method>>
+prepare_barre_brisebois(const BarreBriseboisSettings& settings,
+                        std::shared_ptr<const shading::Surface> surface,
+                        const geometry::Mesh& mesh,
+                        const thickness::ThicknessField& field,
+                        double mm_per_unit);
 
 } // namespace renderer::methods

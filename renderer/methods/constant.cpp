@@ -4,7 +4,8 @@
 #include "renderer/contract.h"
 #include "renderer/methods/constant.frag.h"
 #include "renderer/methods/phong.vert.h"
-#include "renderer/methods/shading.h"
+#include "renderer/methods/shared_dials.h"
+#include "renderer/shading/shading.h"
 
 #include <glm/vec4.hpp>
 
@@ -16,7 +17,7 @@ namespace {
 
 class Constant : public Method {
   public:
-    Constant(SurfaceShader shader, float thickness)
+    Constant(shading::SurfaceShader shader, float thickness)
         : shader_(std::move(shader)), block_(sizeof(glm::vec4)) {
         block_.replace_by(glm::vec4(thickness, 0, 0, 0));
     }
@@ -31,7 +32,7 @@ class Constant : public Method {
     Cost cost() const override { return {}; }
 
   private:
-    SurfaceShader shader_;
+    shading::SurfaceShader shader_;
     gpu::Buffer block_;
 };
 
@@ -58,13 +59,13 @@ Description describe_constant() {
 }
 
 Expected<std::unique_ptr<Method>> prepare_constant(const ConstantSettings& settings,
-                                                   std::shared_ptr<const Surface> surface,
+                                                   std::shared_ptr<const shading::Surface> surface,
                                                    const thickness::ThicknessField* field) {
     EXPECTS(settings.thickness_mm >= 0);
-    const auto attenuation = attenuation_for(settings.law, field);
+    const auto attenuation = shading::attenuation_for(settings.law, field);
     if (!attenuation)
         return tl::make_unexpected(attenuation.error());
-    auto shader = SurfaceShader::prepare(
+    auto shader = shading::SurfaceShader::prepare(
         std::move(surface), *attenuation,
         {.vertex = {{"phong.vert", phong_vert}}, .fragment = {{"constant.frag", constant_frag}}});
     if (!shader)

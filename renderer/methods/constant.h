@@ -2,8 +2,8 @@
 // looks and in cost.
 #pragma once
 
-#include "renderer/methods/attenuation.h"
 #include "renderer/methods/description.h"
+#include "renderer/shading/attenuation.h"
 
 namespace renderer::methods {
 
@@ -11,12 +11,12 @@ Description describe_constant();
 
 struct ConstantSettings {
     double thickness_mm = 10;
-    Law law = Law::Physical;
+    shading::Law law = shading::Law::Physical;
 };
 
 /// Errors: the paper's law without a field that has a D_n; EXPECTS a thickness of 0 or more.
 Expected<std::unique_ptr<Method>> prepare_constant(const ConstantSettings& settings,
-                                                   std::shared_ptr<const Surface> surface,
+                                                   std::shared_ptr<const shading::Surface> surface,
                                                    const thickness::ThicknessField* field);
 
 } // namespace renderer::methods

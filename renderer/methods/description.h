@@ -5,8 +5,8 @@
 #include "renderer/geometry/mesh.h"
 #include "renderer/methods/dials.h"
 #include "renderer/methods/method.h"
-#include "renderer/methods/surface.h"
 #include "renderer/scene.h"
+#include "renderer/shading/surface.h"
 #include "renderer/thickness/thickness_field.h"
 #include "renderer/transfer/transfer_field.h"
 
@@ -29,7 +29,7 @@ using TransferProvider = std::function<Expected<std::shared_ptr<const transfer::
 /// What a method is made for.  Everything outlives the making, not the method.
 struct Subject {
     const geometry::Mesh& mesh; ///< welded, closed, facing outward
-    std::shared_ptr<const Surface> surface;
+    std::shared_ptr<const shading::Surface> surface;
     Material material;   ///< a method may build the medium in: another one wants it made again
     Placement placement; ///< the same holds for its scale, mm to a model unit
     FieldProvider field;

@@ -1,14 +1,15 @@
 // One method, three ways to read the light's maps.
 #include "renderer/methods/green.h"
 
+#include "renderer/light_maps/blurred.glsl.h"
+#include "renderer/light_maps/light_maps.h"
+#include "renderer/light_maps/map_blur.h"
+#include "renderer/light_maps/nearest.glsl.h"
+#include "renderer/light_maps/peeled.glsl.h"
 #include "renderer/methods/green.frag.h"
-#include "renderer/methods/green_blurred.glsl.h"
-#include "renderer/methods/green_nearest.glsl.h"
-#include "renderer/methods/green_peeled.glsl.h"
-#include "renderer/methods/light_maps.h"
-#include "renderer/methods/map_blur.h"
 #include "renderer/methods/phong.vert.h"
-#include "renderer/methods/shading.h"
+#include "renderer/methods/shared_dials.h"
+#include "renderer/shading/shading.h"
 
 #include <fmt/format.h>
 #include <glm/mat3x3.hpp>
@@ -20,22 +21,25 @@
 
 namespace renderer::methods {
 
+using light_maps::LightMaps;
+using light_maps::MapBlur;
+
 namespace {
 
 class Green : public Method {
   public:
-    Green(SurfaceShader shader, LightMaps maps)
+    Green(shading::SurfaceShader shader, LightMaps maps)
         : shader_(std::move(shader)), maps_(std::move(maps)) {}
 
     Expected<void> update(const Scene& scene, double) override {
         if (const auto ready = shader_.adapt(scene); !ready)
             return ready;
-        if (lit_ == lighting_of(scene))
+        if (lit_ == shading::lighting_of(scene))
             return {};
         lit_.reset();
         if (const auto filled = maps_.fill(scene); !filled)
             return filled;
-        lit_ = lighting_of(scene);
+        lit_ = shading::lighting_of(scene);
         return {};
     }
 
@@ -50,9 +54,9 @@ class Green : public Method {
     }
 
   private:
-    SurfaceShader shader_;
+    shading::SurfaceShader shader_;
     LightMaps maps_;
-    std::optional<Lighting> lit_;
+    std::optional<shading::Lighting> lit_;
 };
 
 // A blur needs no texel finer than this part of its deviation: a map with fewer texels is drawn and
@@ -61,7 +65,10 @@ constexpr double texels_per_deviation = 8;
 
 class GreenBlur : public Method {
   public:
-    GreenBlur(SurfaceShader shader, LightMaps maps, MapBlur blur, const GreenSettings& settings)
+    GreenBlur(shading::SurfaceShader shader,
+              LightMaps maps,
+              MapBlur blur,
+              const GreenSettings& settings)
         : shader_(std::move(shader)), maps_(std::move(maps)), blur_(std::move(blur)),
           largest_map_(settings.depth_map),
           asked_deviation_(std::get<BlurredMap>(settings.map).deviation) {}
@@ -69,11 +76,11 @@ class GreenBlur : public Method {
     Expected<void> update(const Scene& scene, double) override {
         if (const auto ready = shader_.adapt(scene); !ready)
             return ready;
-        if (const auto setup = light_setup(scene); setup->with_points)
+        if (const auto setup = shading::light_setup(scene); setup->with_points)
             return tl::make_unexpected("a blurred depth map under a point light, expected "
                                        "directional lights, \"green\" or \"green-peel\"");
         const double deviation = deviation_in(scene);
-        if (lit_ == lighting_of(scene) && deviation == deviation_)
+        if (lit_ == shading::lighting_of(scene) && deviation == deviation_)
             return {};
         lit_.reset();
         deviation_ = deviation;
@@ -88,7 +95,7 @@ class GreenBlur : public Method {
             if (const auto done = blur_.run(maps_.of_light(i), i, deviation * resolution / width);
                 !done)
                 return done;
-        lit_ = lighting_of(scene);
+        lit_ = shading::lighting_of(scene);
         return {};
     }
 
@@ -110,7 +117,7 @@ class GreenBlur : public Method {
   private:
     double diameter_in(const Scene& scene) const {
         return 2 * shader_.surface().model_sphere().radius *
-               largest_stretch(glm::dmat3(scene.placement.world_from_model));
+               shading::largest_stretch(glm::dmat3(scene.placement.world_from_model));
     }
 
     double deviation_in(const Scene& scene) const {
@@ -121,21 +128,21 @@ class GreenBlur : public Method {
         return std::min(1 / mean, 0.05 * diameter_in(scene)); // 1/0 is far, too
     }
 
-    SurfaceShader shader_;
+    shading::SurfaceShader shader_;
     LightMaps maps_;
     MapBlur blur_;
     int largest_map_;
     std::optional<Millimetres> asked_deviation_;
     double deviation_ = 0;
-    std::optional<Lighting> lit_;
+    std::optional<shading::Lighting> lit_;
 };
 
 gpu::ShaderPart reading(const GreenSettings& settings) {
     if (std::holds_alternative<BlurredMap>(settings.map))
-        return {"green_blurred.glsl", green_blurred_glsl};
+        return {"blurred.glsl", light_maps::blurred_glsl};
     if (std::holds_alternative<PeeledMap>(settings.map))
-        return {"green_peeled.glsl", green_peeled_glsl};
-    return {"green_nearest.glsl", green_nearest_glsl};
+        return {"peeled.glsl", light_maps::peeled_glsl};
+    return {"nearest.glsl", light_maps::nearest_glsl};
 }
 
 int layers_of(const GreenSettings& settings) {
@@ -235,9 +242,9 @@ Description describe_green_peel() {
 }
 
 Expected<std::unique_ptr<Method>> prepare_green(const GreenSettings& settings,
-                                                std::shared_ptr<const Surface> surface,
+                                                std::shared_ptr<const shading::Surface> surface,
                                                 const thickness::ThicknessField* field) {
-    const auto attenuation = attenuation_for(settings.law, field);
+    const auto attenuation = shading::attenuation_for(settings.law, field);
     if (!attenuation)
         return tl::make_unexpected(attenuation.error());
     auto maps = LightMaps::prepare(surface, settings.depth_map, layers_of(settings));
@@ -246,10 +253,10 @@ Expected<std::unique_ptr<Method>> prepare_green(const GreenSettings& settings,
     auto fragment = LightMaps::shader_parts();
     fragment.push_back(reading(settings));
     fragment.push_back({"green.frag", green_frag});
-    auto shader = SurfaceShader::prepare(std::move(surface), *attenuation,
-                                         {.defines = maps->defines(),
-                                          .vertex = {{"phong.vert", phong_vert}},
-                                          .fragment = std::move(fragment)});
+    auto shader = shading::SurfaceShader::prepare(std::move(surface), *attenuation,
+                                                  {.defines = maps->defines(),
+                                                   .vertex = {{"phong.vert", phong_vert}},
+                                                   .fragment = std::move(fragment)});
     if (!shader)
         return tl::make_unexpected(shader.error());
     if (!std::holds_alternative<BlurredMap>(settings.map))

@@ -3,8 +3,8 @@
 // the surfaces apart repairs that.
 #pragma once
 
-#include "renderer/methods/attenuation.h"
 #include "renderer/methods/description.h"
+#include "renderer/shading/attenuation.h"
 #include "renderer/units.h"
 
 #include <optional>
@@ -34,14 +34,14 @@ struct PeeledMap {
 
 struct GreenSettings {
     int depth_map = 2048; ///< texels along its edge
-    Law law = Law::Physical;
+    shading::Law law = shading::Law::Physical;
     std::variant<NearestMap, BlurredMap, PeeledMap> map = {};
 };
 
 /// `field` gives D_n to the paper's law and may be missing under the physical one.
 /// Errors: a depth map of less than 1 texel or beyond the device's textures.
 Expected<std::unique_ptr<Method>> prepare_green(const GreenSettings& settings,
-                                                std::shared_ptr<const Surface> surface,
+                                                std::shared_ptr<const shading::Surface> surface,
                                                 const thickness::ThicknessField* field);
 
 } // namespace renderer::methods

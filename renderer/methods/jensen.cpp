@@ -1,7 +1,7 @@
 // Radiance at the vertices by shadow rays and a hierarchical gather, sent to the GPU as colours.
 #include "renderer/methods/jensen.h"
 
-#include "renderer/methods/body_radiance.h"
+#include "renderer/shading/body_radiance.h"
 
 #include <fmt/format.h>
 
@@ -14,26 +14,27 @@ namespace {
 
 class JensenDipole : public Method {
   public:
-    JensenDipole(SurfaceShader shader, std::unique_ptr<const diffusion::DipoleBody> body)
+    JensenDipole(shading::SurfaceShader shader, std::unique_ptr<const diffusion::DipoleBody> body)
         : shader_(std::move(shader)), body_(std::move(body)),
           radiance_(shader_.surface().vertex_count() * sizeof(glm::vec3)) {
-        shader_.vertex_array().feed(radiance_location, radiance_,
+        shader_.vertex_array().feed(shading::radiance_location, radiance_,
                                     {.components = 3, .per_input = 1});
     }
 
     Expected<void> update(const Scene& scene, double) override {
         if (const auto ready = shader_.adapt(scene); !ready)
             return ready;
-        if (lit_ == lighting_of(scene))
+        if (lit_ == shading::lighting_of(scene))
             return {};
         std::vector<glm::vec3> sum(shader_.surface().vertex_count());
-        for (const auto& [to_light, irradiance] : incident_lights(scene, shader_.surface())) {
+        for (const auto& [to_light, irradiance] :
+             shading::incident_lights(scene, shader_.surface())) {
             const auto share = body_->exit_radiance(to_light);
             for (std::size_t v = 0; v < sum.size(); ++v)
                 sum[v] += glm::vec3(irradiance) * share[v];
         }
         radiance_.replace(std::as_bytes(std::span<const glm::vec3>(sum)));
-        lit_ = lighting_of(scene);
+        lit_ = shading::lighting_of(scene);
         return {};
     }
 
@@ -52,10 +53,10 @@ class JensenDipole : public Method {
     }
 
   private:
-    SurfaceShader shader_;
+    shading::SurfaceShader shader_;
     std::unique_ptr<const diffusion::DipoleBody> body_;
     gpu::Buffer radiance_;
-    std::optional<Lighting> lit_;
+    std::optional<shading::Lighting> lit_;
 };
 
 Expected<std::unique_ptr<Method>> prepare_from_dials(const Dials&, const Subject& subject) {
@@ -65,7 +66,7 @@ Expected<std::unique_ptr<Method>> prepare_from_dials(const Dials&, const Subject
                                    "in one of them");
     return prepare_jensen(subject.surface, std::make_unique<diffusion::DipoleBody>(
                                                subject.mesh, subject.material.medium,
-                                               mm_per_unit(subject.placement)));
+                                               shading::mm_per_unit(subject.placement)));
 }
 
 } // namespace
@@ -79,9 +80,9 @@ Description describe_jensen() {
 }
 
 Expected<std::unique_ptr<Method>>
-prepare_jensen(std::shared_ptr<const Surface> surface,
+prepare_jensen(std::shared_ptr<const shading::Surface> surface,
                std::unique_ptr<const diffusion::DipoleBody> body) {
-    auto shader = body_radiance_shader(std::move(surface));
+    auto shader = shading::body_radiance_shader(std::move(surface));
     if (!shader)
         return tl::make_unexpected(shader.error());
     return std::make_unique<JensenDipole>(std::move(*shader), std::move(body));

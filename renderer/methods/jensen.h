@@ -13,7 +13,7 @@ Description describe_jensen();
 
 /// `body` is the one that `surface` was made from.
 /// Errors: the driver's log.
-Expected<std::unique_ptr<Method>> prepare_jensen(std::shared_ptr<const Surface> surface,
+Expected<std::unique_ptr<Method>> prepare_jensen(std::shared_ptr<const shading::Surface> surface,
                                                  std::unique_ptr<const diffusion::DipoleBody> body);
 
 } // namespace renderer::methods

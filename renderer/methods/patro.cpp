@@ -2,12 +2,12 @@
 #include "renderer/methods/patro.h"
 
 #include "renderer/diffusion/dipole.h"
-#include "renderer/methods/harmonics.glsl.h"
 #include "renderer/methods/patro_harmonics.frag.h"
 #include "renderer/methods/patro_harmonics.vert.h"
 #include "renderer/methods/patro_normals.frag.h"
 #include "renderer/methods/patro_normals.vert.h"
-#include "renderer/methods/shading.h"
+#include "renderer/shading/harmonics.glsl.h"
+#include "renderer/shading/shading.h"
 #include "renderer/smoothing/shading_fields.h"
 
 #include <glm/mat3x3.hpp>
@@ -28,7 +28,7 @@ constexpr std::size_t channels = 3;
 class Patro : public Method {
   public:
     /// `rows`: three floats to a shader input, `inputs` of them to a vertex.
-    Patro(SurfaceShader shader, const std::vector<float>& rows, int inputs)
+    Patro(shading::SurfaceShader shader, const std::vector<float>& rows, int inputs)
         : shader_(std::move(shader)), rows_(gpu::Buffer::holding<float>(rows)), inputs_(inputs) {
         shader_.vertex_array().feed(first_location, rows_,
                                     {.components = 3 * inputs, .per_input = 3});
@@ -43,7 +43,7 @@ class Patro : public Method {
     }
 
   private:
-    SurfaceShader shader_;
+    shading::SurfaceShader shader_;
     gpu::Buffer rows_;
     int inputs_;
 };
@@ -103,12 +103,12 @@ Expected<std::vector<float>> irradiance_rows(const Subject& subject) {
 }
 
 Expected<std::unique_ptr<Method>> prepare(const Subject& subject,
-                                          ShaderSource source,
+                                          shading::ShaderSource source,
                                           const Expected<std::vector<float>>& rows,
                                           int inputs) {
     if (!rows)
         return tl::make_unexpected(rows.error());
-    auto shader = SurfaceShader::prepare(subject.surface, {}, std::move(source));
+    auto shader = shading::SurfaceShader::prepare(subject.surface, {}, std::move(source));
     if (!shader)
         return tl::make_unexpected(shader.error());
     return std::make_unique<Patro>(std::move(*shader), *rows, inputs);
@@ -146,7 +146,7 @@ Expected<std::unique_ptr<Method>> prepare_patro(const PatroSettings& settings,
                        normal_rows(subject), 3);
     return prepare(subject,
                    {.defines = "#define BANDS 3\n#define SLOTS 3\n",
-                    .vertex = {{"harmonics.glsl", harmonics_glsl},
+                    .vertex = {{"harmonics.glsl", shading::harmonics_glsl},
                                {"patro_harmonics.vert", patro_harmonics_vert}},
                     .fragment = {{"patro_harmonics.frag", patro_harmonics_frag}}},
                    irradiance_rows(subject), 9);

@@ -3,7 +3,7 @@
 
 #include "renderer/methods/phong.frag.h"
 #include "renderer/methods/phong.vert.h"
-#include "renderer/methods/shading.h"
+#include "renderer/shading/shading.h"
 
 #include <utility>
 
@@ -13,7 +13,7 @@ namespace {
 
 class Phong : public Method {
   public:
-    explicit Phong(SurfaceShader shader) : shader_(std::move(shader)) {}
+    explicit Phong(shading::SurfaceShader shader) : shader_(std::move(shader)) {}
 
     Expected<void> update(const Scene& scene, double) override { return shader_.adapt(scene); }
 
@@ -22,7 +22,7 @@ class Phong : public Method {
     Cost cost() const override { return {}; }
 
   private:
-    SurfaceShader shader_;
+    shading::SurfaceShader shader_;
 };
 
 } // namespace
@@ -37,8 +37,8 @@ Description describe_phong() {
             }};
 }
 
-Expected<std::unique_ptr<Method>> prepare_phong(std::shared_ptr<const Surface> surface) {
-    auto shader = SurfaceShader::prepare(
+Expected<std::unique_ptr<Method>> prepare_phong(std::shared_ptr<const shading::Surface> surface) {
+    auto shader = shading::SurfaceShader::prepare(
         std::move(surface), {},
         {.vertex = {{"phong.vert", phong_vert}}, .fragment = {{"phong.frag", phong_frag}}});
     if (!shader)

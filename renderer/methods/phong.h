@@ -7,6 +7,6 @@ namespace renderer::methods {
 
 Description describe_phong();
 
-Expected<std::unique_ptr<Method>> prepare_phong(std::shared_ptr<const Surface> surface);
+Expected<std::unique_ptr<Method>> prepare_phong(std::shared_ptr<const shading::Surface> surface);
 
 } // namespace renderer::methods

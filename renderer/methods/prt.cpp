@@ -3,9 +3,9 @@
 
 #include "renderer/gpu/vertex_pass.h"
 #include "renderer/harmonics/basis.h"
-#include "renderer/methods/body_radiance.h"
 #include "renderer/methods/prt_channel.vert.h"
 #include "renderer/methods/prt_clusters.vert.h"
+#include "renderer/shading/body_radiance.h"
 
 #include <fmt/format.h>
 #include <glm/vec4.hpp>
@@ -28,12 +28,12 @@ std::size_t slots_of(std::size_t numbers) {
 
 /// l_i = sum over lights of E y_i(L), for each channel: lights add up before anything is lit.
 std::array<std::vector<double>, 3>
-light_coefficients(const Scene& scene, const Surface& surface, int bands) {
+light_coefficients(const Scene& scene, const shading::Surface& surface, int bands) {
     const auto n = static_cast<std::size_t>(harmonics::coefficient_count(bands));
     std::array<std::vector<double>, 3> light;
     light.fill(std::vector<double>(n));
     std::vector<double> y(n);
-    for (const auto& [to_light, irradiance] : incident_lights(scene, surface)) {
+    for (const auto& [to_light, irradiance] : shading::incident_lights(scene, surface)) {
         harmonics::evaluate(bands, to_light, y);
         for (std::size_t c = 0; c < 3; ++c)
             for (std::size_t i = 0; i < n; ++i)
@@ -61,7 +61,7 @@ class RadiancePass {
 class WholeVectors : public RadiancePass {
   public:
     WholeVectors(gpu::VertexPass pass,
-                 std::shared_ptr<const Surface> surface,
+                 std::shared_ptr<const shading::Surface> surface,
                  const transfer::TransferField& field)
         : pass_(std::move(pass)), surface_(std::move(surface)), bands_(field.bands) {
         const auto n = static_cast<std::size_t>(harmonics::coefficient_count(bands_));
@@ -75,13 +75,13 @@ class WholeVectors : public RadiancePass {
             channels_.push_back({gpu::Buffer::holding(std::span<const float>(rows)),
                                  surface_->vertex_array(), gpu::Buffer(vertices * sizeof(float)),
                                  gpu::Buffer(slots_of(n) * sizeof(glm::vec4))});
-            channels_.back().inputs.feed(radiance_location, channels_.back().transfer,
+            channels_.back().inputs.feed(shading::radiance_location, channels_.back().transfer,
                                          {.components = static_cast<int>(n)});
         }
     }
 
     void feed(gpu::VertexArray& array) const override {
-        unsigned location = radiance_location;
+        unsigned location = shading::radiance_location;
         for (const auto& channel : channels_)
             location = array.feed(location, channel.radiance, {.components = 1, .per_input = 1});
     }
@@ -117,7 +117,7 @@ class WholeVectors : public RadiancePass {
     };
 
     gpu::VertexPass pass_;
-    std::shared_ptr<const Surface> surface_;
+    std::shared_ptr<const shading::Surface> surface_;
     int bands_;
     std::vector<Channel> channels_;
 };
@@ -126,7 +126,7 @@ class WholeVectors : public RadiancePass {
 class Clusters : public RadiancePass {
   public:
     Clusters(gpu::VertexPass pass,
-             std::shared_ptr<const Surface> surface,
+             std::shared_ptr<const shading::Surface> surface,
              const transfer::CompressedSignals& signals,
              int bands)
         : pass_(std::move(pass)), surface_(std::move(surface)), bands_(bands),
@@ -135,12 +135,12 @@ class Clusters : public RadiancePass {
           inputs_(surface_->vertex_array()),
           radiance_(surface_->vertex_count() * 3 * sizeof(float)),
           block_(representatives_.size() / signals.dimension * sizeof(glm::vec4)) {
-        inputs_.feed(radiance_location, rows_,
+        inputs_.feed(shading::radiance_location, rows_,
                      {.components = static_cast<int>(signals.vectors + 1)});
     }
 
     void feed(gpu::VertexArray& array) const override {
-        array.feed(radiance_location, radiance_, {.components = 3, .per_input = 1});
+        array.feed(shading::radiance_location, radiance_, {.components = 3, .per_input = 1});
     }
 
     void run(const Scene& scene) override {
@@ -178,7 +178,7 @@ class Clusters : public RadiancePass {
     }
 
     gpu::VertexPass pass_;
-    std::shared_ptr<const Surface> surface_;
+    std::shared_ptr<const shading::Surface> surface_;
     int bands_;
     std::vector<float> representatives_;
     gpu::Buffer rows_;
@@ -189,7 +189,7 @@ class Clusters : public RadiancePass {
 
 class Prt : public Method {
   public:
-    Prt(SurfaceShader shader, std::unique_ptr<RadiancePass> pass, std::string decision)
+    Prt(shading::SurfaceShader shader, std::unique_ptr<RadiancePass> pass, std::string decision)
         : shader_(std::move(shader)), pass_(std::move(pass)), decision_(std::move(decision)) {
         pass_->feed(shader_.vertex_array());
     }
@@ -197,9 +197,9 @@ class Prt : public Method {
     Expected<void> update(const Scene& scene, double) override {
         if (const auto ready = shader_.adapt(scene); !ready)
             return ready;
-        if (lit_ != lighting_of(scene)) {
+        if (lit_ != shading::lighting_of(scene)) {
             pass_->run(scene);
-            lit_ = lighting_of(scene);
+            lit_ = shading::lighting_of(scene);
         }
         return {};
     }
@@ -211,10 +211,10 @@ class Prt : public Method {
     std::string decision() const override { return decision_; }
 
   private:
-    SurfaceShader shader_;
+    shading::SurfaceShader shader_;
     std::unique_ptr<RadiancePass> pass_;
     std::string decision_;
-    std::optional<Lighting> lit_;
+    std::optional<shading::Lighting> lit_;
 };
 
 Expected<gpu::VertexPass>
@@ -226,12 +226,12 @@ link(std::string_view name, std::string_view text, const std::string& defines, c
 
 template <class Pass, class... Rest>
 Expected<std::unique_ptr<Method>> method_with(Expected<gpu::VertexPass> program,
-                                              std::shared_ptr<const Surface> surface,
+                                              std::shared_ptr<const shading::Surface> surface,
                                               std::string decision,
                                               const Rest&... rest) {
     if (!program)
         return tl::make_unexpected(program.error());
-    auto shader = body_radiance_shader(surface);
+    auto shader = shading::body_radiance_shader(surface);
     if (!shader)
         return tl::make_unexpected(shader.error());
     return std::make_unique<Prt>(
@@ -279,7 +279,7 @@ transfer_for(const transfer::TransferOptions& options, const Subject& subject) {
     if (subject.transfer)
         return subject.transfer(options);
     return transfer::compute_transfer_field(subject.mesh, subject.material.medium,
-                                            mm_per_unit(subject.placement), options,
+                                            shading::mm_per_unit(subject.placement), options,
                                             [&](double fraction) {
                                                 if (subject.progress)
                                                     subject.progress(fraction);
@@ -334,7 +334,7 @@ Description describe_prt() {
             .sweep = settings_worth_measuring()};
 }
 
-Expected<std::unique_ptr<Method>> prepare_prt(std::shared_ptr<const Surface> surface,
+Expected<std::unique_ptr<Method>> prepare_prt(std::shared_ptr<const shading::Surface> surface,
                                               const transfer::TransferField& field) {
     const auto n = static_cast<std::size_t>(harmonics::coefficient_count(field.bands));
     if (field.transfer.size() != surface->vertex_count() * 3 * n)
@@ -347,7 +347,7 @@ Expected<std::unique_ptr<Method>> prepare_prt(std::shared_ptr<const Surface> sur
                                      undersampled_or_not(field), field);
 }
 
-Expected<std::unique_ptr<Method>> prepare_prt(std::shared_ptr<const Surface> surface,
+Expected<std::unique_ptr<Method>> prepare_prt(std::shared_ptr<const shading::Surface> surface,
                                               const transfer::CompressedSignals& signals,
                                               int bands) {
     if (signals.cluster_of.size() != surface->vertex_count() ||

@@ -13,13 +13,13 @@ Description describe_prt();
 
 /// Draws with the transfer vectors themselves.
 /// Errors: a field of another mesh; the driver's log.
-Expected<std::unique_ptr<Method>> prepare_prt(std::shared_ptr<const Surface> surface,
+Expected<std::unique_ptr<Method>> prepare_prt(std::shared_ptr<const shading::Surface> surface,
                                               const transfer::TransferField& field);
 
 /// Draws with clustered principal components of them.
 /// Errors: signals of another mesh, or not of `bands`; more than 4096 representatives, which is
 /// what a uniform block holds; more than 15 vectors; the driver's log.
-Expected<std::unique_ptr<Method>> prepare_prt(std::shared_ptr<const Surface> surface,
+Expected<std::unique_ptr<Method>> prepare_prt(std::shared_ptr<const shading::Surface> surface,
                                               const transfer::CompressedSignals& signals,
                                               int bands);
 

@@ -2,17 +2,18 @@
 // surface is drawn, so that depth, coverage and alpha are those of every other method.
 #include "renderer/methods/separable.h"
 
+#include "renderer/diffusion/diffusion_profile.h"
 #include "renderer/gpu/screen_pass.h"
 #include "renderer/gpu/target.h"
-#include "renderer/methods/diffusion_profile.h"
-#include "renderer/methods/green_nearest.glsl.h"
-#include "renderer/methods/light_maps.h"
+#include "renderer/light_maps/light_maps.h"
+#include "renderer/light_maps/nearest.glsl.h"
 #include "renderer/methods/phong.vert.h"
 #include "renderer/methods/separable.frag.h"
 #include "renderer/methods/separable_blur.glsl.h"
 #include "renderer/methods/separable_body.frag.h"
 #include "renderer/methods/separable_rows.frag.h"
-#include "renderer/methods/shading.h"
+#include "renderer/methods/shared_dials.h"
+#include "renderer/shading/shading.h"
 
 #include <fmt/format.h>
 #include <glm/mat4x4.hpp>
@@ -25,6 +26,8 @@
 #include <vector>
 
 namespace renderer::methods {
+
+using light_maps::LightMaps;
 
 namespace {
 
@@ -50,8 +53,11 @@ diffusion_block(const Camera& camera, const gpu::Viewport& viewport, const glm::
 
 class Separable : public Method {
   public:
-    Separable(
-        SurfaceShader body, gpu::ScreenPass rows, SurfaceShader last, LightMaps maps, int taps)
+    Separable(shading::SurfaceShader body,
+              gpu::ScreenPass rows,
+              shading::SurfaceShader last,
+              LightMaps maps,
+              int taps)
         : body_(std::move(body)), rows_(std::move(rows)), last_(std::move(last)),
           maps_(std::move(maps)), taps_(taps),
           block_(sizeof(DiffusionBlock) + static_cast<std::size_t>(taps) * sizeof(glm::vec4)) {}
@@ -62,12 +68,12 @@ class Separable : public Method {
         if (const auto ready = last_.adapt(scene); !ready)
             return ready;
         take_up(scene.material.medium);
-        if (lit_ == lighting_of(scene))
+        if (lit_ == shading::lighting_of(scene))
             return {};
         lit_.reset();
         if (const auto filled = maps_.fill(scene); !filled)
             return filled;
-        lit_ = lighting_of(scene);
+        lit_ = shading::lighting_of(scene);
         return {};
     }
 
@@ -99,12 +105,12 @@ class Separable : public Method {
 
   private:
     void take_up(const Medium& medium) {
-        const auto length = diffusion_length(medium);
+        const auto length = diffusion::diffusion_length(medium);
         if (length == length_ && !kernel_.empty())
             return;
         length_ = length;
         kernel_.clear();
-        for (const auto& tap : diffusion_taps(length, taps_))
+        for (const auto& tap : diffusion::diffusion_taps(length, taps_))
             kernel_.emplace_back(glm::vec3(tap.weight), static_cast<float>(tap.offset));
     }
 
@@ -129,16 +135,16 @@ class Separable : public Method {
         block_.replace(bytes);
     }
 
-    SurfaceShader body_;
+    shading::SurfaceShader body_;
     gpu::ScreenPass rows_;
-    SurfaceShader last_;
+    shading::SurfaceShader last_;
     LightMaps maps_;
     int taps_;
     gpu::Buffer block_;
     glm::dvec3 length_{}; // of the profile, mm
     std::vector<glm::vec4> kernel_;
     std::optional<gpu::Target> unblurred_, half_blurred_;
-    std::optional<Lighting> lit_;
+    std::optional<shading::Lighting> lit_;
 };
 
 std::optional<DialProblem> refuse_dials(const Dials& dials) {
@@ -176,9 +182,9 @@ Description describe_separable() {
 }
 
 Expected<std::unique_ptr<Method>> prepare_separable(const SeparableSettings& settings,
-                                                    std::shared_ptr<const Surface> surface,
+                                                    std::shared_ptr<const shading::Surface> surface,
                                                     const thickness::ThicknessField* field) {
-    const auto attenuation = attenuation_for(settings.law, field);
+    const auto attenuation = shading::attenuation_for(settings.law, field);
     if (!attenuation)
         return tl::make_unexpected(attenuation.error());
     auto maps = LightMaps::prepare(surface, settings.depth_map, 1);
@@ -189,17 +195,18 @@ Expected<std::unique_ptr<Method>> prepare_separable(const SeparableSettings& set
         vertex{"phong.vert", phong_vert};
 
     auto parts = LightMaps::shader_parts();
-    parts.push_back({"green_nearest.glsl", green_nearest_glsl});
+    parts.push_back({"nearest.glsl", light_maps::nearest_glsl});
     parts.push_back(blur);
     parts.push_back({"separable_body.frag", separable_body_frag});
-    auto body = SurfaceShader::prepare(surface, *attenuation,
-                                       {.defines = defines, .vertex = {vertex}, .fragment = parts});
+    auto body = shading::SurfaceShader::prepare(
+        surface, *attenuation, {.defines = defines, .vertex = {vertex}, .fragment = parts});
     if (!body)
         return tl::make_unexpected(body.error());
-    auto last = SurfaceShader::prepare(std::move(surface), *attenuation,
-                                       {.defines = defines,
-                                        .vertex = {vertex},
-                                        .fragment = {blur, {"separable.frag", separable_frag}}});
+    auto last =
+        shading::SurfaceShader::prepare(std::move(surface), *attenuation,
+                                        {.defines = defines,
+                                         .vertex = {vertex},
+                                         .fragment = {blur, {"separable.frag", separable_frag}}});
     if (!last)
         return tl::make_unexpected(last.error());
     const std::array row_parts{gpu::ShaderPart{"defines", defines}, blur,

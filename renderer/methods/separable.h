@@ -3,8 +3,8 @@
 // through is read from depth maps.  [Jimenez2015, Jimenez2010]
 #pragma once
 
-#include "renderer/methods/attenuation.h"
 #include "renderer/methods/description.h"
+#include "renderer/shading/attenuation.h"
 
 namespace renderer::methods {
 
@@ -13,7 +13,7 @@ Description describe_separable();
 struct SeparableSettings {
     int taps = 25; ///< samples along a line; odd
     int depth_map = 2048;
-    Law law = Law::Physical;
+    shading::Law law = shading::Law::Physical;
 };
 
 /// `field` gives D_n to the paper's law and may be missing under the physical one.  The blur needs
@@ -21,7 +21,7 @@ struct SeparableSettings {
 /// Errors: those of Green's method.  Drawing throws std::runtime_error where there is no room for
 /// two pictures of the viewport's size.
 Expected<std::unique_ptr<Method>> prepare_separable(const SeparableSettings& settings,
-                                                    std::shared_ptr<const Surface> surface,
+                                                    std::shared_ptr<const shading::Surface> surface,
                                                     const thickness::ThicknessField* field);
 
 } // namespace renderer::methods

@@ -1,11 +1,11 @@
 // The thickness is reconstructed when a light moves; drawing interpolates it.
 #include "renderer/methods/shss.h"
 
-#include "renderer/methods/shading.h"
+#include "renderer/methods/shared_dials.h"
 #include "renderer/methods/shss.frag.h"
 #include "renderer/methods/shss.vert.h"
-#include "renderer/methods/thickness_dial.h"
-#include "renderer/methods/thickness_pass.h"
+#include "renderer/reconstruction/thickness_pass.h"
+#include "renderer/shading/shading.h"
 
 #include <fmt/format.h>
 
@@ -14,20 +14,27 @@
 
 namespace renderer::methods {
 
+using reconstruction::BandChooser;
+using reconstruction::BandPlan;
+using reconstruction::BandSettings;
+using reconstruction::BandWeights;
+using reconstruction::most_bands;
+using reconstruction::ThicknessPass;
+
 namespace {
 
 constexpr unsigned thickness_location = 2; // behind position and normal
 
 class Shss : public Method {
   public:
-    Shss(SurfaceShader shader, ThicknessPass pass, BandPlan plan)
+    Shss(shading::SurfaceShader shader, ThicknessPass pass, BandPlan plan)
         : shader_(std::move(shader)), pass_(std::move(pass)), plan_(std::move(plan)) {}
 
     Expected<void> update(const Scene& scene, double seconds) override {
         if (const auto ready = shader_.adapt(scene); !ready)
             return ready;
         const auto weights = plan_.weights(scene, seconds);
-        if (weights == weights_ && lit_ == lighting_of(scene))
+        if (weights == weights_ && lit_ == shading::lighting_of(scene))
             return {};
         lit_.reset();
         if (const auto done = pass_.run(scene, weights); !done)
@@ -36,7 +43,7 @@ class Shss : public Method {
             thickness_location, pass_.thickness(),
             {.components = static_cast<int>(scene.lights.size()), .per_input = 1});
         weights_ = weights;
-        lit_ = lighting_of(scene);
+        lit_ = shading::lighting_of(scene);
         return {};
     }
 
@@ -55,11 +62,11 @@ class Shss : public Method {
     void let_choose(bool may) override { plan_.let_choose(may); }
 
   private:
-    SurfaceShader shader_;
+    shading::SurfaceShader shader_;
     ThicknessPass pass_;
     BandPlan plan_;
     BandWeights weights_{};
-    std::optional<Lighting> lit_;
+    std::optional<shading::Lighting> lit_;
 };
 
 Expected<void> check_bands(int bands, const thickness::ThicknessField* field) {
@@ -172,19 +179,19 @@ Description describe_shss() {
 
 Expected<std::unique_ptr<Method>>
 prepare_shss(const ShssSettings& settings,
-             std::shared_ptr<const Surface> surface,
+             std::shared_ptr<const shading::Surface> surface,
              std::shared_ptr<const thickness::ThicknessField> field,
              std::optional<thickness::SurfaceSample> sample) {
     if (const auto fits = check_bands(settings.bands.bands, field.get()); !fits)
         return tl::make_unexpected(fits.error());
-    const auto attenuation = attenuation_for(settings.law, field.get());
+    const auto attenuation = shading::attenuation_for(settings.law, field.get());
     if (!attenuation)
         return tl::make_unexpected(attenuation.error());
     auto pass =
         ThicknessPass::prepare(surface, *field, settings.bands.bands, settings.coefficients);
     if (!pass)
         return tl::make_unexpected(pass.error());
-    auto shader = SurfaceShader::prepare(
+    auto shader = shading::SurfaceShader::prepare(
         std::move(surface), *attenuation,
         {.vertex = {{"shss.vert", shss_vert}}, .fragment = {{"shss.frag", shss_frag}}});
     if (!shader)

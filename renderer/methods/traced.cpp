@@ -1,11 +1,11 @@
 // A ray from every vertex to every light; drawing interpolates what they found.
 #include "renderer/methods/traced.h"
 
-#include "renderer/methods/lighting.h"
-#include "renderer/methods/shading.h"
+#include "renderer/methods/shared_dials.h"
 #include "renderer/methods/shss.frag.h"
 #include "renderer/methods/shss.vert.h"
-#include "renderer/methods/thickness_dial.h"
+#include "renderer/shading/lighting.h"
+#include "renderer/shading/shading.h"
 
 #include <optional>
 #include <span>
@@ -20,21 +20,21 @@ constexpr unsigned thickness_location = 2; // behind position and normal
 
 class Traced : public Method {
   public:
-    Traced(SurfaceShader shader, thickness::ThicknessTracer tracer, thickness::Kind kind)
+    Traced(shading::SurfaceShader shader, thickness::ThicknessTracer tracer, thickness::Kind kind)
         : shader_(std::move(shader)), tracer_(std::move(tracer)), kind_(kind) {}
 
     Expected<void> update(const Scene& scene, double) override {
         if (const auto ready = shader_.adapt(scene); !ready)
             return ready;
-        if (light_setup(scene)->with_points)
+        if (shading::light_setup(scene)->with_points)
             return tl::make_unexpected("traced thickness under a point light, expected directional "
                                        "lights");
-        if (lit_ == lighting_of(scene))
+        if (lit_ == shading::lighting_of(scene))
             return {};
         lit_.reset();
         if (const auto done = trace(scene); !done)
             return done;
-        lit_ = lighting_of(scene);
+        lit_ = shading::lighting_of(scene);
         return {};
     }
 
@@ -51,7 +51,8 @@ class Traced : public Method {
         std::vector<glm::dvec3> directions;
         std::vector<double> mm; // to a model unit, along each
         for (const auto& light : scene.lights) {
-            const auto seen = model_light(std::get<DirectionalLight>(light.place), scene.placement);
+            const auto seen =
+                shading::model_light(std::get<DirectionalLight>(light.place), scene.placement);
             directions.push_back(seen.to_light);
             mm.push_back(1 / seen.stretch);
         }
@@ -69,12 +70,12 @@ class Traced : public Method {
         return {};
     }
 
-    SurfaceShader shader_;
+    shading::SurfaceShader shader_;
     thickness::ThicknessTracer tracer_;
     thickness::Kind kind_;
     std::optional<gpu::Buffer> thickness_;
     std::size_t lights_ = 1;
-    std::optional<Lighting> lit_;
+    std::optional<shading::Lighting> lit_;
 };
 
 } // namespace
@@ -95,16 +96,16 @@ Description describe_traced() {
 }
 
 Expected<std::unique_ptr<Method>> prepare_traced(const TracedSettings& settings,
-                                                 std::shared_ptr<const Surface> surface,
+                                                 std::shared_ptr<const shading::Surface> surface,
                                                  const geometry::Mesh& mesh,
                                                  const thickness::ThicknessField* field) {
-    const auto attenuation = attenuation_for(settings.law, field);
+    const auto attenuation = shading::attenuation_for(settings.law, field);
     if (!attenuation)
         return tl::make_unexpected(attenuation.error());
     auto tracer = thickness::ThicknessTracer::prepare(mesh);
     if (!tracer)
         return tl::make_unexpected(tracer.error());
-    auto shader = SurfaceShader::prepare(
+    auto shader = shading::SurfaceShader::prepare(
         std::move(surface), *attenuation,
         {.vertex = {{"shss.vert", shss_vert}}, .fragment = {{"shss.frag", shss_frag}}});
     if (!shader)

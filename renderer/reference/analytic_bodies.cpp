@@ -120,11 +120,15 @@ std::shared_ptr<const SunwardDepth> Body::sunward_depth(glm::dvec3) const {
     return nullptr;
 }
 
-double interior_length(BodyTracer& tracer, glm::dvec3 point, glm::dvec3 direction, Side side) {
+double covered_by(std::span<const Stretch> stretches) {
     double length = 0;
-    for (const auto& [begin, end] : tracer.along(point, direction, side))
+    for (const auto& [begin, end] : stretches)
         length += end - begin;
     return length;
+}
+
+double interior_length(BodyTracer& tracer, glm::dvec3 point, glm::dvec3 direction, Side side) {
+    return covered_by(tracer.along(point, direction, side));
 }
 
 std::unique_ptr<Body> make_slab(double thickness) {

@@ -19,6 +19,9 @@ struct Stretch {
     double end = 0;
 };
 
+/// The length of all of them.
+double covered_by(std::span<const Stretch> stretches);
+
 /// Asks one body about rays, one at a time; every thread has its own.  Answers depend on the
 /// question alone.  Points and lengths are in the body's units, directions are unit vectors.
 class BodyTracer {

@@ -83,11 +83,10 @@ void Clearance::tell_sides(const geometry::RayScene& scene) {
     const geometry::DenormalsAreZero guard;
     geometry::InteriorTracer tracer(scene);
     const double size = scene.model_per_scene();
-    const glm::dvec3 centre_of_scene = -size * scene.scene_from_model({0, 0, 0});
     for (int y = 0; y < cells_; ++y)
         for (int x = 0; x < cells_; ++x) {
             const glm::dvec3 below(centre(x, y, -1));
-            const auto stretches = tracer.from_point(centre_of_scene + size * below, {0, 0, 1},
+            const auto stretches = tracer.from_point(scene.model_from_scene(below), {0, 0, 1},
                                                      geometry::Side::Outside);
             for (int z = 0; z < cells_; ++z) {
                 const double along = size * (static_cast<double>(centre(x, y, z).z) - below.z);

@@ -3,6 +3,7 @@
 
 #include "renderer/contract.h"
 #include "renderer/imaging/brightness.h"
+#include "renderer/stopwatch.h"
 
 #include <boost/math/distributions/students_t.hpp>
 #include <fmt/format.h>
@@ -14,8 +15,6 @@
 namespace renderer::reference {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr double most_leaks = 1e-6; // of the paths
 
@@ -96,9 +95,10 @@ Expected<Outcome> render(const Picture& picture,
                          const StopRule& rule,
                          const TracerTactics& tactics,
                          const std::function<void(const Progress&)>& progress) {
-    const auto start = Clock::now();
-    const auto spent = [&] { return std::chrono::duration<double>(Clock::now() - start); };
-    const auto in_time = [&] { return !rule.time_budget || spent() < *rule.time_budget; };
+    const Stopwatch watch;
+    const auto in_time = [&] {
+        return !rule.time_budget || watch.seconds() < rule.time_budget->count();
+    };
     Outcome outcome;
     while (true) {
         if (film.batches >= 2) {
@@ -122,7 +122,7 @@ Expected<Outcome> render(const Picture& picture,
             break;
         }
     }
-    outcome.seconds = spent().count();
+    outcome.seconds = watch.seconds();
     if (const auto sound = check_leaks(film, picture); !sound)
         return tl::unexpected(sound.error());
     return outcome;

@@ -55,10 +55,9 @@ void SunwardDepth::fill(int u,
     const float cell = 2 * half_edge / static_cast<float>(cells_);
     const auto centre = [&](int i) { return cell * (static_cast<float>(i) + 0.5f) - half_edge; };
     const glm::mat3 scene_from_grid = glm::transpose(grid_from_scene_);
-    const glm::dvec3 origin = scene_.scene_from_model({0, 0, 0});
     const glm::dvec3 start(scene_from_grid * glm::vec3(centre(u), centre(v), -1));
-    const auto stretches = tracer.from_point(scene_.model_per_scene() * (start - origin), to_light,
-                                             geometry::Side::Outside);
+    const auto stretches =
+        tracer.from_point(scene_.model_from_scene(start), to_light, geometry::Side::Outside);
     const auto length_beyond = [&](double along) {
         double length = 0;
         for (const auto& s : stretches)

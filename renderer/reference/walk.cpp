@@ -27,13 +27,6 @@ Side side_of(const Path<N>& path) {
     return path.is_inside ? Side::Inside : Side::Outside;
 }
 
-double covered_by(std::span<const Stretch> stretches) {
-    double length = 0;
-    for (const auto& [begin, end] : stretches)
-        length += end - begin;
-    return length;
-}
-
 /// The distance from the ray's origin at which `length` of the stretches has been covered.
 double along_stretches(std::span<const Stretch> stretches, double length) {
     for (const auto& [begin, end] : stretches) {
@@ -42,43 +35,6 @@ double along_stretches(std::span<const Stretch> stretches, double length) {
         length -= end - begin;
     }
     return stretches.back().end; // by rounding
-}
-
-/// Divides the ratios' mean out of weights and ratios; returns what both were multiplied by.
-template <std::size_t N>
-double balance(Path<N>& path) {
-    double sum = 0;
-    for (const double ratio : path.ratio)
-        sum += ratio;
-    const double factor = static_cast<double>(N) / sum;
-    for (std::size_t k = 0; k < N; ++k) {
-        path.weight[k] *= factor;
-        path.ratio[k] *= factor;
-    }
-    return factor;
-}
-
-/// Multiplies the weight of each channel by f_k / p_h, its ratio by p_k / p_h.  Returns the weight
-/// it would have for `other` instead of `f`.
-template <std::size_t N>
-Spectrum<N>
-advance(Path<N>& path, const Spectrum<N>& f, const Spectrum<N>& p, const Spectrum<N>& other) {
-    Spectrum<N> otherwise;
-    if constexpr (N == 1) { // one hero: its ratio is 1
-        otherwise[0] = path.weight[0] * (other[0] / p[0]);
-        path.weight[0] *= f[0] / p[0]; // exactly 1 where nothing absorbs
-        return otherwise;
-    }
-    const double per_density = 1 / p[path.hero];
-    for (std::size_t k = 0; k < N; ++k) {
-        otherwise[k] = path.weight[k] * other[k] * per_density;
-        path.weight[k] *= f[k] * per_density;
-        path.ratio[k] *= p[k] * per_density;
-    }
-    const double factor = balance(path);
-    for (auto& weight : otherwise)
-        weight *= factor;
-    return otherwise;
 }
 
 } // namespace

@@ -1,15 +1,11 @@
 // One path of light through a translucent body: flight, collision, turn, and what the surface does.
-//
-// All channels are followed at once.  Distances are drawn for one of them, the hero, chosen once
-// per path; `ratio` keeps how probable the same path would have been under each other hero, and the
-// weight of a channel is divided by the mean of the three: the balance heuristic over whole paths.
-// [Wilkie2014] [Miller2019]  Weights then never exceed three times those of a walk in one colour.
 #pragma once
 
 #include "renderer/reference/body.h"
 #include "renderer/reference/boundary.h"
 #include "renderer/reference/medium.h"
 #include "renderer/reference/microfacets.h"
+#include "renderer/reference/path.h"
 #include "renderer/reference/random.h"
 
 #include <glm/vec3.hpp>
@@ -17,35 +13,6 @@
 #include <vector>
 
 namespace renderer::reference {
-
-template <std::size_t N>
-constexpr Spectrum<N> all_ones() {
-    Spectrum<N> ones;
-    ones.fill(1);
-    return ones;
-}
-
-/// The last turn at which a connection to the light was possible.  Few paths end in a light, so
-/// that the medium's density is left to be worked out by who needs it.
-struct Turn {
-    enum class By { Nothing, Medium, Surface };
-    By by = By::Nothing;
-    double cosine = 1;  ///< By::Medium: of the angle turned by
-    double density = 0; ///< By::Surface: per steradian
-};
-
-/// Where a path is and what it carries.  N channels: three, or one when one says all.
-template <std::size_t N>
-struct Path {
-    glm::dvec3 position{};
-    glm::dvec3 direction{0, 0, 1};
-    bool is_inside = false;
-    std::size_t hero = 0;
-    Spectrum<N> weight = all_ones<N>(); ///< contribution per unit of light, ratios divided out
-    Spectrum<N> ratio = all_ones<N>();  ///< density under each hero over the mean of all
-    int collisions = 0;
-    Turn turn;
-};
 
 /// Who is told what happens on the way.
 template <std::size_t N>

@@ -2,7 +2,7 @@
 // view.  "Only what the scene needs."
 //
 // All directions here are in the axes of the model, where the coefficients live: bring light and
-// eye there first (methods/shading.h: model_light), and never turn the coefficients.
+// eye there first (shading/lighting.h: model_light), and never turn the coefficients.
 #pragma once
 
 #include "renderer/thickness/normal_bins.h"

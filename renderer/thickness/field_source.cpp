@@ -2,12 +2,12 @@
 #include "renderer/thickness/field_source.h"
 
 #include "renderer/contract.h"
+#include "renderer/stopwatch.h"
 #include "renderer/thickness/cache.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -17,8 +17,6 @@ namespace renderer::thickness {
 namespace fs = std::filesystem;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr int usual_bands = 5;
 
@@ -57,7 +55,7 @@ fs::path FieldSource::file(const FieldOptions& options) const {
 Expected<SourcedField> FieldSource::field(const FieldOptions& options,
                                           const Progress& progress,
                                           const std::stop_token& stop) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     SourcedField sourced;
     if ((sourced.field = remembered(options))) {
         sourced.origin = FieldOrigin::Memory;
@@ -72,7 +70,7 @@ Expected<SourcedField> FieldSource::field(const FieldOptions& options,
         fields_.push_back(sourced.field);
         write(*sourced.field, sourced.remarks);
     }
-    sourced.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    sourced.seconds = watch.seconds();
     return sourced;
 }
 

@@ -59,6 +59,62 @@ TEST(Layering, ArrowsPointOneWay) {
     }
 }
 
+/// The room a file of a module stands in: its folder, or nothing at the module's root.
+std::string room_of(const std::string& path) {
+    const auto module = path.find('/');
+    const auto end = path.find('/', module + 1);
+    return end == std::string::npos ? std::string() : path.substr(module + 1, end - module - 1);
+}
+
+// Rooms stand on each other, so each can be read knowing only those below it: taking away, again
+// and again, every room that includes none of those that are left takes away all of them.
+TEST(Layering, RoomsOfTheRendererFormNoCircle) {
+    std::map<std::string, std::set<std::string>> below;
+    for (const auto& include : includes_below("renderer")) {
+        const auto from = room_of(include.file), to = room_of(include.target);
+        if (first_folder(include.target) == "renderer" && !from.empty() && !to.empty()) {
+            below[to];
+            if (from != to)
+                below[from].insert(to);
+        }
+    }
+    ASSERT_GE(below.size(), 10U) << "too few rooms were read";
+    const auto stands_on_ground = [](const auto& room) { return room.second.empty(); };
+    for (auto ground = std::find_if(below.begin(), below.end(), stands_on_ground);
+         ground != below.end();
+         ground = std::find_if(below.begin(), below.end(), stands_on_ground)) {
+        const auto name = ground->first;
+        below.erase(ground);
+        for (auto& [room, others] : below)
+            others.erase(name);
+    }
+    for (const auto& [room, others] : below)
+        for (const auto& other : others)
+            ADD_FAILURE() << "on a circle, or above one: " << room << " includes " << other;
+}
+
+// A name says where to look: what renderer/shading/ declares is in renderer::shading.
+TEST(Layering, NamespacesFollowFolders) {
+    static const std::regex opened(R"(^namespace ([a-z_:]+) \{)");
+    const fs::path root = PAIRLIGHT_SOURCE_DIR;
+    for (const auto& module : modules)
+        for (const auto& entry : fs::recursive_directory_iterator(root / module)) {
+            if (entry.path().extension() != ".h")
+                continue;
+            const auto file = fs::relative(entry.path(), root);
+            const auto expected =
+                std::regex_replace(file.parent_path().string(), std::regex("/"), "::");
+            std::ifstream stream(entry.path());
+            std::string text;
+            std::set<std::string> found;
+            while (std::getline(stream, text))
+                if (std::smatch match; std::regex_search(text, match, opened))
+                    found.insert(match[1]);
+            EXPECT_TRUE(found.empty() || found.contains(expected)) // empty: macros alone
+                << file << " declares nothing in " << expected;
+        }
+}
+
 // The libraries whose types stop at a folder's door, and the folder (or file) that is the door; one
 // that two rooms use apart from each other has two.
 TEST(Layering, EachOutsideLibraryHasOneDoor) {

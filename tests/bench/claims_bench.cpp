@@ -14,7 +14,7 @@
 #include "renderer/harmonics/directions.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/colour.h"
-#include "renderer/methods/picture.h"
+#include "renderer/pictures/picture.h"
 #include "tests/bench/workbench.h"
 
 #include <fmt/format.h>
@@ -69,13 +69,13 @@ void coefficients_and_light(const std::string& model,
         shss.push_back(workbench.prepare("shss", {{"bands", bands}, {"law", law}}));
     for (const auto& [name, to_light] : lights) {
         scene.lights.front().place = DirectionalLight{to_light};
-        const auto truth = value_or_throw(methods::render_picture(*exact, scene, size, size, 4));
+        const auto truth = value_or_throw(pictures::render_picture(*exact, scene, size, size, 4));
         const auto mask = imaging::covered_pixels(truth.coverage);
         fmt::print("| {} | {} | {} |", model, law, name);
         Line line{model, name, {}};
         for (const auto& method : shss) {
             const auto image =
-                value_or_throw(methods::render_picture(*method, scene, size, size, 4));
+                value_or_throw(pictures::render_picture(*method, scene, size, size, 4));
             const double error = 100 * cost::relative_rms(image, truth, mask);
             fmt::print(" {:.1f} % ({:.0f} %) |", error, 100 * seen_share(image, truth, mask));
             line.percent.push_back(error);
@@ -105,7 +105,7 @@ void concave_bodies() {
         const Workbench workbench(body.mesh, scene, 1024);
         const auto exact = workbench.prepare("traced", {});
         const auto held_out = value_or_throw(cost::HeldOutThickness::prepare(
-            *exact, methods::Law::Physical, scene, size, size, 8, 2));
+            *exact, shading::Law::Physical, scene, size, size, 8, 2));
         fmt::print("| {} |", body.name);
         const std::vector<std::pair<std::string, methods::Dials>> rivals{
             {"shss", {{"bands", std::int64_t{2}}}},

@@ -8,13 +8,13 @@
 // reference_bench furnace MODEL PIXELS BATCHES    the greatest deviation of a pixel from 1
 // reference_bench scene NAME MODEL PIXELS SAMPLES SEEDS MASK    one scene, to compare with others:
 //     sphere-sky, sphere-exact, sphere-back or model-back; writes its mask
+#include "renderer/stopwatch.h"
 #include "tests/bench/reference_scenes.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -59,13 +59,13 @@ Yield measure(const Picture& picture,
               std::uint32_t batches,
               const TracerTactics& tactics,
               const std::vector<std::size_t>& mask = {}) {
-    const auto wall = std::chrono::steady_clock::now();
+    const renderer::Stopwatch watch;
     const double cpu = cpu_seconds();
     for (std::uint32_t b = 0; b < batches; ++b)
         add_batch(picture, film, tactics);
     Yield yield;
     yield.cpu = cpu_seconds() - cpu;
-    yield.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
+    yield.wall = watch.seconds();
     const auto pixels = mask.empty() ? whole_pixels(film) : mask;
     const double n = 3 * static_cast<double>(pixels.size());
     for (const auto i : pixels)

@@ -5,7 +5,7 @@
 //   storage_bench MODEL...
 #include "renderer/gpu/context.h"
 #include "renderer/imaging/colour.h"
-#include "renderer/methods/picture.h"
+#include "renderer/pictures/picture.h"
 #include "tests/bench/workbench.h"
 
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ void measure(const std::string& model,
         for (const auto& [name, to_light] : lights) {
             scene.lights.front().place = DirectionalLight{to_light};
             const auto draw = [&](const std::string& type) {
-                return value_or_throw(methods::render_picture(
+                return value_or_throw(pictures::render_picture(
                     *workbench.prepare("shss", {{"law", law}, {"coefficients", type}}), scene, size,
                     size, 4));
             };

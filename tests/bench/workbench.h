@@ -39,7 +39,7 @@ class Workbench {
   public:
     Workbench(const geometry::Mesh& mesh, const Scene& scene, int directions = 256)
         : mesh_(mesh), scene_(scene), directions_(directions),
-          surface_(value_or_throw(methods::Surface::upload(mesh))) {}
+          surface_(value_or_throw(shading::Surface::upload(mesh))) {}
 
     std::shared_ptr<methods::Method> prepare(const std::string& name,
                                              const methods::Dials& dials) const {
@@ -72,7 +72,7 @@ class Workbench {
     const geometry::Mesh& mesh_;
     Scene scene_;
     int directions_;
-    std::shared_ptr<const methods::Surface> surface_;
+    std::shared_ptr<const shading::Surface> surface_;
     mutable std::map<thickness::Kind, Field> fields_;
 };
 

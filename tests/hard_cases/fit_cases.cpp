@@ -4,7 +4,7 @@
 #include "renderer/harmonics/basis.h"
 #include "renderer/harmonics/directions.h"
 #include "renderer/harmonics/projection.h"
-#include "renderer/methods/nonnegative_least_squares.h"
+#include "renderer/pictures/nonnegative_least_squares.h"
 #include "tests/hard_cases/hard_cases.h"
 
 #include <algorithm>
@@ -43,11 +43,11 @@ Case few_directions() {
 Case nearly_equal_columns() {
     Worst worst(area, "weights of two columns that agree to 1e-6", "the weights that made the data",
                 8);
-    const renderer::methods::NonnegativeLeastSquares::Weights truth{0.25, 0.5, 0.75, 0.125};
-    renderer::methods::NonnegativeLeastSquares fit;
+    const renderer::pictures::NonnegativeLeastSquares::Weights truth{0.25, 0.5, 0.75, 0.125};
+    renderer::pictures::NonnegativeLeastSquares fit;
     for (int i = 0; i < 100; ++i) {
         const double x = i / 100.0, same = 1 + x * x;
-        const renderer::methods::NonnegativeLeastSquares::Weights a{
+        const renderer::pictures::NonnegativeLeastSquares::Weights a{
             same, same + 1e-6 * std::cos(7 * x), x, std::sin(5 * x)};
         double y = 0;
         for (std::size_t j = 0; j < a.size(); ++j)

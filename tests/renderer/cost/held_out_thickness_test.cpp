@@ -12,12 +12,12 @@
 namespace {
 
 using namespace known_worlds;
-using methods::Law;
+using shading::Law;
 
 class HeldOut : public MethodTest {
   protected:
     geometry::Mesh sphere_ = geometry::sphere(1, 4);
-    std::shared_ptr<const methods::Surface> surface_ = *methods::Surface::upload(sphere_);
+    std::shared_ptr<const shading::Surface> surface_ = *shading::Surface::upload(sphere_);
 
     std::unique_ptr<methods::Method> constant(double mm) const {
         return std::move(*methods::prepare_constant({mm, Law::Physical}, surface_, nullptr));
@@ -70,7 +70,7 @@ TEST_F(HeldOut, MeasuresASimplifiedMeshByTheWholeOne) {
     const auto error = [&](std::size_t triangles) {
         const auto coarse = *geometry::simplify(sphere_, triangles);
         const auto rough =
-            *methods::prepare_traced({}, *methods::Surface::upload(coarse), coarse, nullptr);
+            *methods::prepare_traced({}, *shading::Surface::upload(coarse), coarse, nullptr);
         return held_out.error_of(*rough).value();
     };
     EXPECT_LE(error(320), 0.1);

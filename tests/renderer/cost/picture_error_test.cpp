@@ -7,7 +7,7 @@
 namespace {
 
 using namespace known_worlds;
-using methods::Law;
+using shading::Law;
 
 imaging::LinearImage plain(LinearRgb light) {
     return {2, 2, std::vector<LinearRgb>(4, light), std::vector<float>(4, 1.0F)};
@@ -40,7 +40,7 @@ TEST(RelativeError, SaysWhenThereIsNone) {
 class SeenThickness : public MethodTest {
   protected:
     geometry::Mesh sphere_ = geometry::sphere(1, 4);
-    std::shared_ptr<const methods::Surface> surface_ = *methods::Surface::upload(sphere_);
+    std::shared_ptr<const shading::Surface> surface_ = *shading::Surface::upload(sphere_);
 };
 
 // Red is the clearest channel of the colourful material, and exp of a float is right to 1e-6.

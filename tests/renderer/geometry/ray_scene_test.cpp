@@ -2,6 +2,8 @@
 #include "renderer/geometry/ray_scene.h"
 #include "renderer/harmonics/directions.h"
 
+#include <glm/geometric.hpp>
+
 namespace {
 
 using namespace renderer::geometry;
@@ -30,6 +32,18 @@ TEST(RayScene, LooksNoNearerThanItIsTold) {
     EXPECT_TRUE(scene.is_occluded({0, 0, 0}, {1, 0, 0}, 0.4F));
     EXPECT_FALSE(scene.is_occluded({0, 0, 0}, {1, 0, 0}, 0.51F));
     EXPECT_FALSE(scene.is_occluded({0, 0, 0}, {0, 0, 1}, 0));
+}
+
+// A diameter of 14 around the point (100, 0, -3).
+TEST(RayScene, IsTheModelAroundTheOriginAndOneAcross) {
+    auto mesh = torus(5, 2, 40, 20);
+    for (auto& position : mesh.positions)
+        position += glm::dvec3(100, 0, -3);
+    const RayScene scene(mesh);
+    EXPECT_NEAR(scene.model_from_scene({0.5, 0, 0}).x, 107, 1e-9);
+    EXPECT_NEAR(scene.scene_from_model({100, 7, -3}).y, 0.5, 1e-9);
+    const glm::dvec3 place(0.1, -0.2, 0.3);
+    EXPECT_LE(glm::distance(scene.scene_from_model(scene.model_from_scene(place)), place), 1e-14);
 }
 
 } // namespace

@@ -9,7 +9,7 @@ namespace {
 
 using namespace known_worlds;
 using methods::BarreBriseboisSettings;
-using methods::Law;
+using shading::Law;
 
 class BarreBrisebois : public MethodTest {
   protected:
@@ -18,14 +18,14 @@ class BarreBrisebois : public MethodTest {
     thickness::ThicknessField field = sphere_field(sphere, 1, 5);
 
     Expected<std::unique_ptr<methods::Method>> made(const BarreBriseboisSettings& settings) {
-        return methods::prepare_barre_brisebois(settings, *methods::Surface::upload(sphere), sphere,
+        return methods::prepare_barre_brisebois(settings, *shading::Surface::upload(sphere), sphere,
                                                 field, diameter.value / 2);
     }
 
     imaging::LinearImage drawn(const BarreBriseboisSettings& settings, const Scene& scene) {
         auto method = made(settings);
         EXPECT_TRUE(method) << method.error();
-        auto image = methods::render_picture(**method, scene, size, size, 1);
+        auto image = pictures::render_picture(**method, scene, size, size, 1);
         EXPECT_TRUE(image) << image.error();
         return *image;
     }
@@ -51,8 +51,8 @@ TEST_F(BarreBrisebois, IsItsLobeTimesTheLawOfTheLocalThickness) {
                 const double along =
                     std::clamp(glm::dot(V, -(L + N * settings.distortion)), 0.0, 1.0);
                 const double passed = 1 - (4.0 / 3) / 2;
-                // Thickness to 0.0026 of the radius (LocalThickness), half of it under D_n = 2, times
-                // a lobe below 1; interpolated normals and floats are below that.
+                // Thickness to 0.0026 of the radius (LocalThickness), half of it under D_n = 2,
+                // times a lobe below 1; interpolated normals and floats are below that.
                 EXPECT_NEAR(pixel(image, column, row).g,
                             (std::pow(along, settings.power) * settings.scale + settings.ambient) *
                                 passed,

@@ -7,9 +7,9 @@
 #include "renderer/harmonics/basis.h"
 #include "renderer/methods/green.h"
 #include "renderer/methods/phong.h"
-#include "renderer/methods/picture.h"
 #include "renderer/methods/separable.h"
 #include "renderer/methods/shss.h"
+#include "renderer/pictures/picture.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -124,7 +124,7 @@ inline glm::dvec3 rgb(LinearRgb colour) {
 
 /// Eq. 3 in double, by its words, under the first light; `d` is in mm.
 inline glm::dvec3
-eq3(const Scene& scene, glm::dvec3 N, glm::dvec3 V, double d, methods::Law law, double d_n) {
+eq3(const Scene& scene, glm::dvec3 N, glm::dvec3 V, double d, shading::Law law, double d_n) {
     const auto& k = scene.material.reflectance;
     const auto L = glm::normalize(first_to_light(scene));
     const auto I_p = rgb(scene.lights.front().intensity);
@@ -134,7 +134,7 @@ eq3(const Scene& scene, glm::dvec3 N, glm::dvec3 V, double d, methods::Law law, 
                                         : 0.0;
     const auto sigma_tr = effective_transport(scene.material.medium);
     d = std::clamp(d, 0.0, diameter.value);
-    const auto T = law == methods::Law::Paper
+    const auto T = law == shading::Law::Paper
                        ? glm::dvec3(1 - std::min(d / d_n, 1.0))
                        : glm::exp(-d * glm::dvec3(sigma_tr.r, sigma_tr.g, sigma_tr.b));
     return rgb(scene.ambient) * rgb(k.ambient) +
@@ -146,7 +146,7 @@ struct PhongSettings {};
 
 /// A method from its settings, whichever it is; the field is the caller's.
 using Made = Expected<std::unique_ptr<methods::Method>>;
-using SharedSurface = std::shared_ptr<const methods::Surface>;
+using SharedSurface = std::shared_ptr<const shading::Surface>;
 
 inline Made make(PhongSettings, SharedSurface surface, const thickness::ThicknessField*) {
     return methods::prepare_phong(std::move(surface));
@@ -181,7 +181,7 @@ class MethodTest : public testing::Test {
     std::unique_ptr<methods::Method> prepare(const geometry::Mesh& mesh,
                                              const Settings& settings,
                                              const thickness::ThicknessField* field = nullptr) {
-        auto surface = methods::Surface::upload(mesh);
+        auto surface = shading::Surface::upload(mesh);
         EXPECT_TRUE(surface) << surface.error();
         auto method = make(settings, *surface, field);
         EXPECT_TRUE(method) << method.error();
@@ -196,7 +196,7 @@ class MethodTest : public testing::Test {
                                  int samples = 1,
                                  const thickness::ThicknessField* field = nullptr) {
         const auto method = prepare(mesh, settings, field);
-        const auto image = methods::render_picture(*method, scene, size, size, samples);
+        const auto image = pictures::render_picture(*method, scene, size, size, samples);
         EXPECT_TRUE(image) << image.error();
         return *image;
     }

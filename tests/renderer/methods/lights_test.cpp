@@ -7,8 +7,8 @@
 namespace {
 
 using namespace known_worlds;
-using methods::Law;
 using methods::ShssSettings;
+using shading::Law;
 
 class Lights : public MethodTest {
   protected:
@@ -176,7 +176,7 @@ TEST_F(Lights, AreCountedAndChecked) {
         auto scene = scene_of(sphere_, {0, 0, 1});
         scene.lights = lights;
         const auto image =
-            methods::render_picture(*prepare(sphere_, PhongSettings{}), scene, 8, 8, 1);
+            pictures::render_picture(*prepare(sphere_, PhongSettings{}), scene, 8, 8, 1);
         return image ? std::string("none") : image.error();
     };
     EXPECT_EQ(error({}), "0 lights, expected 1 to 8");

@@ -21,7 +21,7 @@ class Patro : public MethodTest {
   protected:
     imaging::LinearImage
     patro(const PatroSettings& settings, const geometry::Mesh& mesh, const Scene& scene) {
-        auto surface = methods::Surface::upload(mesh);
+        auto surface = shading::Surface::upload(mesh);
         EXPECT_TRUE(surface) << surface.error();
         auto method = methods::prepare_patro(settings, {.mesh = mesh,
                                                         .surface = *surface,
@@ -30,14 +30,14 @@ class Patro : public MethodTest {
                                                         .field = {},
                                                         .progress = {}});
         EXPECT_TRUE(method) << method.error();
-        const auto image = methods::render_picture(**method, scene, size, size, 1);
+        const auto image = pictures::render_picture(**method, scene, size, size, 1);
         EXPECT_TRUE(image) << image.error();
         return *image;
     }
 
     imaging::LinearImage phong(const geometry::Mesh& mesh, const Scene& scene) {
-        const auto method = methods::prepare_phong(*methods::Surface::upload(mesh));
-        return *methods::render_picture(**method, scene, size, size, 1);
+        const auto method = methods::prepare_phong(*shading::Surface::upload(mesh));
+        return *pictures::render_picture(**method, scene, size, size, 1);
     }
 };
 

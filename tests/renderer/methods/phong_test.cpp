@@ -54,7 +54,7 @@ TEST_F(Phong, AgreesWithItsEquationInDouble) {
                          normals[body.triangles[hit->triangle][static_cast<std::size_t>(j)]]);
             const auto expected =
                 eq3(without_scatter, glm::normalize(N), glm::normalize(hit->eye - hit->point), 0,
-                    methods::Law::Physical, 1);
+                    shading::Law::Physical, 1);
             const auto drawn = rgb(pixel(image, column, row));
             // A power of 32 turns the 1e-6 of interpolated float normals into 3e-5.
             for (int c = 0; c < 3; ++c)
@@ -76,7 +76,7 @@ TEST_F(Phong, RejectsAPlacementThatFlattensTheModel) {
     const auto sphere = geometry::sphere(1, 2);
     auto scene = scene_of(sphere, {0, 0, 1});
     scene.placement.world_from_model[1] = {0, 0, 0, 0};
-    const auto image = methods::render_picture(*prepare(sphere, PhongSettings{}), scene, 8, 8, 1);
+    const auto image = pictures::render_picture(*prepare(sphere, PhongSettings{}), scene, 8, 8, 1);
     ASSERT_FALSE(image);
     EXPECT_THAT(image.error(), testing::HasSubstr("flattens the model"));
 }

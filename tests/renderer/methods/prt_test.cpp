@@ -61,8 +61,8 @@ class Prt : public MethodTest {
   protected:
     static constexpr int size = 40;
 
-    std::shared_ptr<const methods::Surface> surface(const geometry::Mesh& mesh) {
-        auto made = methods::Surface::upload(mesh);
+    std::shared_ptr<const shading::Surface> surface(const geometry::Mesh& mesh) {
+        auto made = shading::Surface::upload(mesh);
         EXPECT_TRUE(made) << made.error();
         return *made;
     }
@@ -70,7 +70,7 @@ class Prt : public MethodTest {
     imaging::LinearImage drawn(Expected<std::unique_ptr<methods::Method>> method,
                                const Scene& scene) {
         EXPECT_TRUE(method) << method.error();
-        const auto image = methods::render_picture(**method, scene, size, size, 1);
+        const auto image = pictures::render_picture(**method, scene, size, size, 1);
         EXPECT_TRUE(image) << image.error();
         return *image;
     }
@@ -105,7 +105,7 @@ class Prt : public MethodTest {
                     one.lights = {scene.lights[i]};
                     if (i > 0)
                         one.ambient = {};
-                    expected += eq3(one, glm::normalize(N), V, 0, methods::Law::Physical, 1);
+                    expected += eq3(one, glm::normalize(N), V, 0, shading::Law::Physical, 1);
                 }
                 const auto colour = rgb(pixel(image, column, row));
                 for (int c = 0; c < 3; ++c) // float32, as for the other methods, times sums of 36
@@ -223,7 +223,7 @@ TEST_F(Prt, IsMadeFromDialsForTheBodysSize) {
         transfer::compute_transfer_field(mesh, milky, 50, {.bands = 3, .directions = 128});
     ASSERT_TRUE(field) << field.error();
     const auto light = light_of(scene, 3);
-    const auto image = methods::render_picture(**method, scene, size, size, 1);
+    const auto image = pictures::render_picture(**method, scene, size, size, 1);
     ASSERT_TRUE(image) << image.error();
     expect_radiance(*image, mesh, scene, [&](std::size_t v) {
         return radiance_at(std::span(field->transfer).subspan(v * 27, 27), light);

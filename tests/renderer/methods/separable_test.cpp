@@ -1,7 +1,7 @@
+#include "renderer/diffusion/diffusion_profile.h"
 #include "renderer/geometry/bodies.h"
 #include "renderer/gpu/target.h"
 #include "renderer/methods/catalogue.h"
-#include "renderer/methods/diffusion_profile.h"
 #include "renderer/methods/separable.h"
 #include "tests/renderer/geometry/assembly.h"
 #include "tests/renderer/methods/known_worlds.h"
@@ -12,8 +12,8 @@
 namespace {
 
 using namespace known_worlds;
-using methods::Law;
 using methods::SeparableSettings;
+using shading::Law;
 
 class Separable : public MethodTest {
   protected:
@@ -107,7 +107,7 @@ TEST_P(SeparableStep, IsTheProfilesIntegral) {
     const auto image =
         picture(two, SeparableSettings{.taps = 101, .law = Law::Paper}, scene, fine, 1, &field);
 
-    const auto d = methods::diffusion_length(scene.material.medium);
+    const auto d = diffusion::diffusion_length(scene.material.medium);
     const double thin = 1 - t / model_diameter, thick = 1 - (2 * t + gap) / model_diameter;
     int between = 0;
     for (int i = 96; i < 150; ++i) { // from the middle, across the rim, not to the plate's
@@ -118,14 +118,14 @@ TEST_P(SeparableStep, IsTheProfilesIntegral) {
         const auto colour = rgb(pixel(image, column, row));
         for (int c = 0; c < 3; ++c) {
             const auto up_to = [&](double edge) {
-                const double beyond = methods::line_profile_beyond(std::abs(edge), d[c]);
+                const double beyond = diffusion::line_profile_beyond(std::abs(edge), d[c]);
                 return edge < 0 ? beyond : 1 - beyond;
             };
             // The part of the profile between the rims, at 0 and at -1 model unit.
             const double passed = up_to(-x) - up_to(-x - mm);
             // A pixel is 0.54 mm wide, and the step falls somewhere in one: off by half of what the
             // profile has within a pixel, a little more as samples mix two pixels.
-            const double a_pixel = 1 - 2 * methods::line_profile_beyond(0.27, d[c]);
+            const double a_pixel = 1 - 2 * diffusion::line_profile_beyond(0.27, d[c]);
             EXPECT_NEAR(colour[c], thin + passed * (thick - thin),
                         0.6 * a_pixel * (thin - thick) * std::exp(-std::abs(x) / (3 * d[c])) + 1e-3)
                 << i << ' ' << c;
@@ -148,8 +148,8 @@ TEST_F(Separable, FollowsTheSurfaceAcrossAStepInDepth) {
     const auto blurred = picture(two, SeparableSettings{}, scene, size);
     // The plates lie 38 mm apart: around the step e^-4 is left of the farthest samples, e^-7 of the
     // others.  Within a plate the variance 7 d^2 to an axis meets the curvature 2/h^2 of what falls
-    // with the square, 0.5 %, and at a rim a one-sided kernel its slope: 0.8 d by 2 rho/(h^2 + rho^2),
-    // 1 %.  Light that jumped would show by 40 %.
+    // with the square, 0.5 %, and at a rim a one-sided kernel its slope: 0.8 d by 2 rho/(h^2 +
+    // rho^2), 1 %.  Light that jumped would show by 40 %.
     const int row = size / 2;
     for (int column = 8; column < size - 8; ++column) {
         const auto here = pixel(sharp, column, row).r;
@@ -216,7 +216,7 @@ TEST_F(Separable, StaysWithinItsViewport) {
     auto scene = wide_scene(sphere, {1, 1, 1});
     keep_diffuse_only(scene);
     const auto method = prepare(sphere, SeparableSettings{.depth_map = 256});
-    const auto alone = methods::render_picture(*method, scene, size, size, 1);
+    const auto alone = pictures::render_picture(*method, scene, size, size, 1);
     ASSERT_TRUE(alone);
     const auto target = gpu::Target::create(2 * size, size);
     ASSERT_TRUE(target);

@@ -13,8 +13,8 @@
 namespace {
 
 using namespace known_worlds;
-using methods::Law;
 using methods::ShssSettings;
+using shading::Law;
 using thickness::ComponentType;
 
 class Shss : public MethodTest {
@@ -284,10 +284,10 @@ TEST_F(ShssOnATorus, PredictsWhatTheBandsLeftOutWouldChange) {
     int checked = 0;
     for (const double tolerance : {0.1, 0.05, 0.02, 0.01, 0.0001}) {
         const ShssSettings settings{
-            .bands = {.chooser = methods::BandChooser::Tolerance, .tolerance = tolerance},
+            .bands = {.chooser = reconstruction::BandChooser::Tolerance, .tolerance = tolerance},
             .law = Law::Paper};
         const auto method = prepare(torus_, settings, &field_);
-        const auto image = methods::render_picture(*method, scene, 96, 96, 4);
+        const auto image = pictures::render_picture(*method, scene, 96, 96, 4);
         ASSERT_TRUE(image);
         EXPECT_LE(rms(whole, *image), 1.5 * tolerance) << method->decision();
         EXPECT_THAT(method->decision(), testing::HasSubstr("5 bands: ")) << tolerance;
@@ -300,7 +300,7 @@ TEST_F(ShssOnATorus, WithAToleranceTakesAsFewBandsAsWillDo) {
     const auto bytes = [&](double tolerance) {
         const auto method =
             prepare(torus_,
-                    ShssSettings{.bands = {.chooser = methods::BandChooser::Tolerance,
+                    ShssSettings{.bands = {.chooser = reconstruction::BandChooser::Tolerance,
                                            .tolerance = tolerance}},
                     &field_);
         EXPECT_TRUE(method->update(lit_from_behind()));
@@ -312,8 +312,8 @@ TEST_F(ShssOnATorus, WithAToleranceTakesAsFewBandsAsWillDo) {
 }
 
 TEST_F(ShssOnATorus, FollowsThePapersPresetFromBehindToTheFront) {
-    const auto method =
-        prepare(torus_, ShssSettings{.bands = {.chooser = methods::BandChooser::Paper}}, &field_);
+    const auto method = prepare(
+        torus_, ShssSettings{.bands = {.chooser = reconstruction::BandChooser::Paper}}, &field_);
     ASSERT_TRUE(method->update(scene_of(torus_, {0, 0, 1})));
     EXPECT_EQ(method->cost().bytes_per_vertex, 16U);
     ASSERT_TRUE(method->update(scene_of(torus_, {0, 0, -1})));
@@ -324,7 +324,7 @@ TEST_F(ShssOnATorus, FollowsThePapersPresetFromBehindToTheFront) {
 // a fifteenth of its way between two pictures 10 ms apart; a tenth more where a part of the way is
 // beyond what the law clamps.
 TEST_F(ShssOnATorus, FadesBandsInWithoutAJump) {
-    const ShssSettings settings{.bands = {.chooser = methods::BandChooser::Paper},
+    const ShssSettings settings{.bands = {.chooser = reconstruction::BandChooser::Paper},
                                 .law = Law::Paper};
     const auto method = prepare(torus_, settings, &field_);
     const auto target = gpu::Target::create(64, 64);
@@ -363,7 +363,7 @@ TEST_F(ShssOnATorus, FadesBandsInWithoutAJump) {
 TEST_F(Shss, SaysWhatIsWrongWithAField) {
     const auto sphere = geometry::sphere(1, 2);
     const auto field = sphere_field(sphere, 1, 3);
-    const auto surface = *methods::Surface::upload(sphere);
+    const auto surface = *shading::Surface::upload(sphere);
     const auto error = [&](const ShssSettings& settings, const thickness::ThicknessField* f) {
         const auto method = make(settings, surface, f);
         return method ? std::string("no error") : method.error();

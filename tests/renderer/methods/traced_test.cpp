@@ -5,15 +5,15 @@
 namespace {
 
 using namespace known_worlds;
-using methods::Law;
+using shading::Law;
 
 class Traced : public MethodTest {
   protected:
     imaging::LinearImage drawn(const Scene& scene) {
         const auto method =
-            methods::prepare_traced({}, *methods::Surface::upload(torus_), torus_, nullptr);
+            methods::prepare_traced({}, *shading::Surface::upload(torus_), torus_, nullptr);
         EXPECT_TRUE(method);
-        const auto image = methods::render_picture(**method, scene, 64, 64, 1);
+        const auto image = pictures::render_picture(**method, scene, 64, 64, 1);
         EXPECT_TRUE(image);
         return *image;
     }
@@ -53,7 +53,7 @@ TEST_F(Traced, RefusesNearLights) {
     auto scene = scene_of(torus_, {0, 0, -1});
     scene.lights = {{PointLight{{0, 0, 200}, {100}}, {1, 1, 1}}};
     const auto method =
-        methods::prepare_traced({}, *methods::Surface::upload(torus_), torus_, nullptr);
+        methods::prepare_traced({}, *shading::Surface::upload(torus_), torus_, nullptr);
     const auto ready = (*method)->update(scene);
     ASSERT_FALSE(ready);
     EXPECT_THAT(ready.error(), testing::HasSubstr("expected directional lights"));
@@ -63,7 +63,7 @@ TEST_F(Traced, RefusesAMeshWithoutAnInside) {
     auto turned = torus_;
     for (auto& [a, b, c] : turned.triangles)
         std::swap(b, c);
-    EXPECT_FALSE(methods::prepare_traced({}, *methods::Surface::upload(turned), turned, nullptr));
+    EXPECT_FALSE(methods::prepare_traced({}, *shading::Surface::upload(turned), turned, nullptr));
 }
 
 } // namespace
