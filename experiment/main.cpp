@@ -1,9 +1,7 @@
 // The program's table of contents.
-#include "experiment/commands/command.h"
 #include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <cstdio>
@@ -13,10 +11,9 @@
 namespace commands = experiment::commands;
 
 int main(int argc, char** argv) {
-    CLI::App program("Pairlight: which rendering do people find more realistic, by how much, and "
-                     "how sure is that?",
-                     "pairlight");
-    program.require_subcommand(1);
+    commands::CommandLine line("pairlight", "Pairlight: which rendering do people find more "
+                                            "realistic, by how much, and how sure is that?");
+    auto program = line.program();
     // clang-format off
     for (const auto add : {
              commands::add_init,
@@ -51,14 +48,9 @@ int main(int argc, char** argv) {
         // clang-format on
         add(program);
     try {
-        commands::expect_command(program, {argv, static_cast<std::size_t>(argc)});
-        commands::expect_values(program, {argv, static_cast<std::size_t>(argc)});
-        program.parse(argc, argv);
-    } catch (const CLI::Success& help) {
-        return program.exit(help);
-    } catch (const CLI::ParseError& error) {
-        fmt::print(stderr, "pairlight: {}\n", commands::complaint_of(program, error));
-        return error.get_exit_code();
+        const int status = line.run({argv, static_cast<std::size_t>(argc)});
+        if (status != EXIT_SUCCESS)
+            return status;
     } catch (const std::filesystem::filesystem_error& error) {
         fmt::print(stderr, "pairlight: {}: {}; see to it that it can be read and written\n",
                    error.path1().string(), error.code().message());

@@ -3,13 +3,12 @@
 #include "analysis/findings_json.h"
 #include "analysis/findings_text.h"
 #include "analysis/utf8.h"
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
 #include "experiment/commands/steps.h"
-#include "experiment/commands/within.h"
 #include "experiment/store/screened.h"
 #include "experiment/text_files.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <map>
@@ -110,40 +109,39 @@ void run(Options& options) {
 
 } // namespace
 
-void add_analyze(CLI::App& program) {
+void add_analyze(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "analyze", "Ranking, analyses of variance, scales and consistency of the votes");
-    command->add_option("STUDY|VOTES.csv", options->source, "A study, or a table of votes")
-        ->required();
-    command->add_option("--json", options->json,
-                        "Write the findings here, all digits; - is standard output");
+    command.add_option("STUDY|VOTES.csv", options->source, "A study, or a table of votes")
+        .required();
+    command.add_option("--json", options->json,
+                       "Write the findings here, all digits; - is standard output");
     command
-        ->add_option("--order", options->order,
-                     "Conditions in the order tables and pairs follow, such as a,b,c; a study has "
-                     "its own, and a "
-                     "table that of appearance")
-        ->delimiter(',');
-    command->add_option("--format", options->format, "What the table is, where it does not show")
-        ->transform(word_for(numbered(formats())));
-    command->add_flag("--repeats", options->repeats,
-                      "The same question may have been answered more than once in a session");
-    command->add_option("--groups", options->groups,
-                        "A table observer,NAME that puts observers into groups (mixed analysis)");
+        .add_option("--order", options->order,
+                    "Conditions in the order tables and pairs follow, such as a,b,c; a study has "
+                    "its own, and a table that of appearance")
+        .separated_by(',');
+    command.add_choice("--format", options->format, "What the table is, where it does not show",
+                       formats());
+    command.add_flag("--repeats", options->repeats,
+                     "The same question may have been answered more than once in a session");
+    command.add_option("--groups", options->groups,
+                       "A table observer,NAME that puts observers into groups (mixed analysis)");
     command
-        ->add_option("--level", options->analysis.level,
-                     "Level of tests; intervals hold at one minus it")
-        ->check(within(1e-6, 0.5))
-        ->capture_default_str();
+        .add_option("--level", options->analysis.level,
+                    "Level of tests; intervals hold at one minus it")
+        .within(1e-6, 0.5)
+        .shows_default();
     command
-        ->add_option("--replicates", options->analysis.bootstrap_replicates,
-                     "How often observers are drawn again for the intervals of the scales")
-        ->check(within(100, 1'000'000))
-        ->capture_default_str();
-    command->add_option("--seed", options->analysis.bootstrap_seed, "Seed of those draws")
-        ->capture_default_str();
-    add_voice(*command, options->voice);
-    command->callback([options] { run(*options); });
+        .add_option("--replicates", options->analysis.bootstrap_replicates,
+                    "How often observers are drawn again for the intervals of the scales")
+        .within(100, 1'000'000)
+        .shows_default();
+    command.add_option("--seed", options->analysis.bootstrap_seed, "Seed of those draws")
+        .shows_default();
+    add_voice(command, options->voice);
+    command.runs([options] { run(*options); });
 }
 
 } // namespace experiment::commands

@@ -2,11 +2,10 @@
 #include "analysis/anova/table_json.h"
 #include "analysis/anova/table_text.h"
 #include "analysis/numerics/nist_file.h"
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
-#include "experiment/commands/within.h"
 #include "experiment/text_files.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <memory>
@@ -66,31 +65,31 @@ void run(const Options& options) {
 
 } // namespace
 
-void add_anova(CLI::App& program) {
+void add_anova(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand("anova", "Analysis of variance of a table of numbers");
-    command->add_option("TABLE.csv", options->table, "A table with a header row; a row per value")
-        ->required();
-    command->add_option("--response", options->columns.response, "The column of values");
-    command->add_option("--factor", options->columns.factors,
-                        "A column of levels; once for every factor");
-    command->add_option("--within", options->columns.subject,
-                        "The column of whoever was measured again and again, such as observer: "
-                        "factors that vary within it are tested within it");
-    command->add_option("--type", options->type, "Type of the sums of squares: 1, 2 or 3")
-        ->check(within(1, 3))
-        ->capture_default_str();
-    command->add_option("--level", options->level, "Level of the tests")
-        ->check(within(1e-12, 0.5))
-        ->capture_default_str();
-    command->add_option("--control", options->control,
-                        "Compare the levels of a single factor with this one (Dunnett)");
-    command->add_flag("--nist", options->nist,
-                      "TABLE is a reference data set in NIST's own text form");
-    command->add_option("--json", options->json,
-                        "Write the analysis here, all digits; - is standard output");
-    add_voice(*command, options->voice);
-    command->callback([options] { run(*options); });
+    auto command = program.add_command("anova", "Analysis of variance of a table of numbers");
+    command.add_option("TABLE.csv", options->table, "A table with a header row; a row per value")
+        .required();
+    command.add_option("--response", options->columns.response, "The column of values");
+    command.add_option("--factor", options->columns.factors,
+                       "A column of levels; once for every factor");
+    command.add_option("--within", options->columns.subject,
+                       "The column of whoever was measured again and again, such as observer: "
+                       "factors that vary within it are tested within it");
+    command.add_option("--type", options->type, "Type of the sums of squares: 1, 2 or 3")
+        .within(1, 3)
+        .shows_default();
+    command.add_option("--level", options->level, "Level of the tests")
+        .within(1e-12, 0.5)
+        .shows_default();
+    command.add_option("--control", options->control,
+                       "Compare the levels of a single factor with this one (Dunnett)");
+    command.add_flag("--nist", options->nist,
+                     "TABLE is a reference data set in NIST's own text form");
+    command.add_option("--json", options->json,
+                       "Write the analysis here, all digits; - is standard output");
+    add_voice(command, options->voice);
+    command.runs([options] { run(*options); });
 }
 
 } // namespace experiment::commands

@@ -1,4 +1,5 @@
 // pairlight check: whether a study can be run as it stands, and what to know before it is.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
 #include "experiment/models.h"
 #include "experiment/read_study.h"
@@ -11,7 +12,6 @@
 #include "protocols/schedule.h"
 #include "protocols/session_length.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -114,17 +114,17 @@ void check_pictures(const LoadedStudy& loaded) {
 
 } // namespace
 
-void add_check(CLI::App& program) {
+void add_check(Command& program) {
     struct Options {
         std::string study;
         Voice voice;
     };
 
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand("check", "Whether a study can be run as it stands");
-    command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
-    add_voice(*command, options->voice);
-    command->callback([options] {
+    auto command = program.add_command("check", "Whether a study can be run as it stands");
+    command.add_option("STUDY", options->study, "Study folder or its study.toml").required();
+    add_voice(command, options->voice);
+    command.runs([options] {
         const auto loaded = value_or_stop(read_study(options->study));
         say_what_is_asked(loaded.study);
         value_or_stop(read_instructions(loaded));

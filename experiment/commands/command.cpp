@@ -1,10 +1,9 @@
 // Remarks go to standard error, results to standard output.
 #include "experiment/commands/command.h"
 
+#include "experiment/commands/command_line.h"
 #include "experiment/text_files.h"
-#include "protocols/spelling.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -12,7 +11,6 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
-#include <vector>
 
 namespace experiment::commands {
 
@@ -50,23 +48,8 @@ bool Voice::says_text_beside(const std::string& json) const {
     return json.empty() || !(quiet || is_standard_output(json));
 }
 
-void add_voice(CLI::App& command, Voice& voice) {
+void add_voice(Command& command, Voice& voice) {
     command.add_flag("-q,--quiet", voice.quiet, "Say nothing on the way: results and errors only");
-}
-
-void expect_command(const CLI::App& program, std::span<const char* const> words) {
-    if (words.size() < 2)
-        return;
-    const std::string word = words[1];
-    std::vector<std::string> names;
-    for (const auto* command : program.get_subcommands({}))
-        names.push_back(command->get_name());
-    if (word.starts_with("-") || std::ranges::count(names, word) > 0)
-        return;
-    const auto nearest = protocols::nearest_name(word, names);
-    throw CommandError(fmt::format("there is no command '{}'{}; `pairlight --help` lists them",
-                                   word,
-                                   nearest ? fmt::format(" (did you mean '{}'?)", *nearest) : ""));
 }
 
 bool is_standard_output(const std::string& path) {

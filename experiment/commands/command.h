@@ -1,17 +1,14 @@
-// What every command of the program shares: how it is added, how it fails, how it speaks.
+// What every command of the program shares: how it fails, how it speaks.
 #pragma once
 
 #include <tl/expected.hpp>
 
-#include <span>
 #include <stdexcept>
 #include <string>
 
-namespace CLI {
-class App;
-}
-
 namespace experiment::commands {
+
+class Command;
 
 /// What was asked could not be done; the message is for the person who asked.  Caught once, in
 /// main.
@@ -41,12 +38,7 @@ struct Voice {
 };
 
 /// Adds `--quiet` to `command`.
-void add_voice(CLI::App& command, Voice& voice);
-
-/// That the program's first word, where it is no option, names one of its commands: CLI11 would say
-/// that there is none.
-/// Errors: CommandError, with the command that was probably meant.
-void expect_command(const CLI::App& program, std::span<const char* const> words);
+void add_voice(Command& command, Voice& voice);
 
 /// Whether `path` stands for no file: empty, or "-".
 bool is_standard_output(const std::string& path);

@@ -1,101 +1,91 @@
-// The words are gone through as the parser does it, with what the parser knows of options.
+// Every command is an App of CLI11, every option one of its Options.
 #include "experiment/commands/command_line.h"
 
 #include "experiment/commands/command.h"
+#include "experiment/commands/wrong_words.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <string_view>
+#include <cstdlib>
 
 namespace experiment::commands {
 
-namespace {
-
-const CLI::App* command_called(const CLI::App& app, const std::string& name) {
-    for (const auto* command : app.get_subcommands({}))
-        if (command->get_name() == name)
-            return command;
-    return nullptr;
+std::string Command::name() const {
+    return app_->get_name();
 }
 
-/// The option a word names, without what it is set to in the word itself (--option=value).
-const CLI::Option* option_called(const CLI::App& app, const std::string& word) {
-    const auto name = word.substr(0, word.find('='));
-    return name.size() > 1 && name[0] == '-' ? app.get_option_no_throw(name) : nullptr;
+Command Command::add_command(const char* name, const char* description) {
+    return Command(app_->add_subcommand(name, description));
 }
 
-int values_needed(const CLI::Option& option) {
-    return option.get_type_size_max() == 0 ? 0 : option.get_items_expected_min();
+Option Command::add_option_at(const char* name, Place place, const char* description) {
+    return Option(std::visit(
+        [&](auto* value) { return app_->add_option(name, *value, description); }, place));
 }
 
-[[noreturn]] void refuse(const std::string& option,
-                         std::span<const char* const> given,
-                         int needed,
-                         const char* next) {
-    std::string text = option;
-    for (const auto* value : given)
-        text += fmt::format(" {}", value);
-    throw CommandError(fmt::format(
-        "{}: {} given{}, expected {}", text,
-        given.empty() ? "no value"
-                      : fmt::format("{} value{}", given.size(), given.size() == 1 ? "" : "s"),
-        next == nullptr ? "" : fmt::format(" before {}", next), needed));
+Option Command::add_word(const char* name,
+                         const std::function<void(const std::string&)>& take,
+                         const char* description,
+                         const std::vector<std::string>& words) {
+    return Option(app_->add_option_function<std::string>(name, take, description))
+        .shown_as("ENUM")
+        .one_of(words);
 }
 
-/// How many of the words after an option are its own; refuses where they are too few.
-std::size_t values_of(const CLI::App& app,
-                      const CLI::Option& option,
-                      const std::string& word,
-                      std::span<const char* const> after) {
-    const int needed = word.find('=') == std::string::npos ? values_needed(option) : 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(needed); ++k)
-        if (k == after.size() || option_called(app, after[k]) != nullptr)
-            refuse(word, after.first(k), needed, k == after.size() ? nullptr : after[k]);
-    return static_cast<std::size_t>(needed);
+Option Command::add_flag(const char* names, bool& given, const char* description) {
+    return Option(app_->add_flag(names, given, description));
 }
 
-/// "Could not convert: --rounds = 1.5" of the parser.
-std::string conversion_complaint(const CLI::App& command, const std::string& said) {
-    constexpr std::string_view before = "Could not convert: ", between = " = ";
-    const auto split = said.find(between);
-    if (!said.starts_with(before) || split == std::string::npos)
-        return said;
-    const auto name = said.substr(before.size(), split - before.size());
-    const auto value = said.substr(split + between.size());
-    const auto* option = command.get_option_no_throw(name);
-    const bool is_real =
-        option != nullptr && option->get_type_name().find("FLOAT") != std::string::npos;
-    return fmt::format("{}: {} is not {}", name, value,
-                       is_real ? "a number"
-                               : "a whole number it "
-                                 "takes");
+void Command::runs(std::function<void()> action) {
+    app_->callback([app = app_, action = std::move(action)] {
+        if (app->get_subcommands().empty())
+            action();
+    });
 }
 
-} // namespace
+bool Command::was_given(const char* option) const {
+    return app_->get_option(option)->count() > 0;
+}
 
-void expect_values(const CLI::App& program, std::span<const char* const> words) {
-    const auto* app = &program;
-    for (std::size_t i = 1; i < words.size(); ++i) {
-        const std::string word = words[i];
-        if (word == "--")
-            return;
-        if (const auto* option = option_called(*app, word))
-            i += values_of(*app, *option, word, words.subspan(i + 1));
-        else if (const auto* command = command_called(*app, word))
-            app = command;
+std::vector<std::string> Command::given_options() const {
+    std::vector<std::string> names;
+    for (const auto* option : app_->get_options())
+        if (option->count() > 0)
+            names.push_back(option->get_name());
+    return names;
+}
+
+void Command::expect_not_given(std::initializer_list<const char*> options,
+                               const std::string& why) const {
+    for (const auto* option : options)
+        if (was_given(option))
+            throw CommandError(fmt::format("{}: {}", option, why));
+}
+
+CommandLine::CommandLine(const char* name, const char* description)
+    : app_(std::make_unique<CLI::App>(description, name)) {
+    app_->require_subcommand(1); // which commands inherit: at most one of their own
+}
+
+CommandLine::~CommandLine() = default;
+
+Command CommandLine::program() {
+    return Command(app_.get());
+}
+
+int CommandLine::run(std::span<const char* const> words) {
+    try {
+        expect_command(*app_, words);
+        expect_values(*app_, words);
+        app_->parse(static_cast<int>(words.size()), words.data());
+    } catch (const CLI::Success& help) {
+        return app_->exit(help);
+    } catch (const CLI::ParseError& error) {
+        fmt::print(stderr, "pairlight: {}\n", complaint_of(*app_, error));
+        return error.get_exit_code();
     }
-}
-
-std::string complaint_of(const CLI::App& program, const CLI::ParseError& error) {
-    const auto* command = &program;
-    std::string name = "pairlight";
-    while (!command->get_subcommands().empty()) {
-        command = command->get_subcommands().front();
-        name += " " + command->get_name();
-    }
-    return fmt::format("{}; `{} --help` lists the options",
-                       conversion_complaint(*command, error.what()), name);
+    return EXIT_SUCCESS;
 }
 
 } // namespace experiment::commands

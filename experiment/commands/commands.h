@@ -8,34 +8,34 @@
 
 namespace experiment::commands {
 
-void add_init(CLI::App& program);
-void add_check(CLI::App& program);
-void add_verify(CLI::App& program);
-void add_render(CLI::App& program);
-void add_view(CLI::App& program);
-void add_session(CLI::App& program);
-void add_simulate(CLI::App& program);
-void add_export(CLI::App& program);
-void add_analyze(CLI::App& program);
-void add_anova(CLI::App& program);
-void add_report(CLI::App& program);
-void add_schedule(CLI::App& program);
-void add_thickness(CLI::App& program);
-void add_reference(CLI::App& program);
-void add_simplify(CLI::App& program);
-void add_compare(CLI::App& program);
-void add_methods(CLI::App& program);
-void add_fit(CLI::App& program);
-void add_cost(CLI::App& program);
-void add_demo(CLI::App& program);
-void add_register(CLI::App& program);
-void add_observers(CLI::App& program);
-void add_withdraw(CLI::App& program);
-void add_display(CLI::App& program);
-void add_timing_check(CLI::App& program);
-void add_photometer(CLI::App& program);
-void add_pages(CLI::App& program);
-void add_import(CLI::App& program);
+void add_init(Command& program);
+void add_check(Command& program);
+void add_verify(Command& program);
+void add_render(Command& program);
+void add_view(Command& program);
+void add_session(Command& program);
+void add_simulate(Command& program);
+void add_export(Command& program);
+void add_analyze(Command& program);
+void add_anova(Command& program);
+void add_report(Command& program);
+void add_schedule(Command& program);
+void add_thickness(Command& program);
+void add_reference(Command& program);
+void add_simplify(Command& program);
+void add_compare(Command& program);
+void add_methods(Command& program);
+void add_fit(Command& program);
+void add_cost(Command& program);
+void add_demo(Command& program);
+void add_register(Command& program);
+void add_observers(Command& program);
+void add_withdraw(Command& program);
+void add_display(Command& program);
+void add_timing_check(Command& program);
+void add_photometer(Command& program);
+void add_pages(Command& program);
+void add_import(Command& program);
 
 /// Writes a new study of the named template into `path`, its pages in "en" or "de".  Errors:
 /// CommandError when there is a study already.

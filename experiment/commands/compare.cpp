@@ -1,13 +1,12 @@
 // pairlight compare: how far one picture is from another, in every measure people use.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
-#include "experiment/commands/within.h"
 #include "experiment/errors_json.h"
 #include "experiment/stimuli/reference_file.h"
 #include "renderer/imaging/brightness.h"
 #include "renderer/imaging/errors.h"
 #include "renderer/imaging/image_files.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -123,29 +122,29 @@ void run(const Options& options) {
 
 } // namespace
 
-void add_compare(CLI::App& program) {
+void add_compare(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "compare", "How far a picture is from a reference: RMSE, MAE, relMSE, PSNR, SSIM, FLIP");
-    command->add_option("A", options->picture, "The picture: linear EXR, or PNG, JPEG, TIFF")
-        ->required();
-    command->add_option("B", options->reference, "What it should look like")->required();
-    command->add_option("--mask", options->mask,
-                        "Pixels that count: an EXR's coverage, or a picture's light parts; without "
-                        "it, what B covers");
-    command->add_option("--json", options->json,
-                        "Write the measures here, all digits; - is standard output");
+    command.add_option("A", options->picture, "The picture: linear EXR, or PNG, JPEG, TIFF")
+        .required();
+    command.add_option("B", options->reference, "What it should look like").required();
+    command.add_option("--mask", options->mask,
+                       "Pixels that count: an EXR's coverage, or a picture's light parts; without "
+                       "it, what B covers");
+    command.add_option("--json", options->json,
+                       "Write the measures here, all digits; - is standard output");
     command
-        ->add_option("--maps", options->maps,
-                     "Write pictures of the errors: <MAPS>-flip.png, -ssim.png, -relative.png")
-        ->check(not_standard_output());
+        .add_option("--maps", options->maps,
+                    "Write pictures of the errors: <MAPS>-flip.png, -ssim.png, -relative.png")
+        .not_standard_output();
     command
-        ->add_option("--pixels-per-degree", options->pixels_per_degree,
-                     "Of the observer's visual angle, for FLIP")
-        ->check(within(1.0, 1000.0))
-        ->capture_default_str();
-    add_voice(*command, options->voice);
-    command->callback([options] { run(*options); });
+        .add_option("--pixels-per-degree", options->pixels_per_degree,
+                    "Of the observer's visual angle, for FLIP")
+        .within(1.0, 1000.0)
+        .shows_default();
+    add_voice(command, options->voice);
+    command.runs([options] { run(*options); });
 }
 
 } // namespace experiment::commands

@@ -1,8 +1,8 @@
 // pairlight cost: what every method and its dials cost, how far they are off, and which to take.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
-#include "experiment/commands/given_options.h"
+#include "experiment/commands/model_options.h"
 #include "experiment/commands/output_folder.h"
-#include "experiment/commands/within.h"
 #include "experiment/cost/contestants.h"
 #include "experiment/cost/cost_page.h"
 #include "experiment/cost/earlier_runs.h"
@@ -17,7 +17,6 @@
 #include "renderer/gpu/context.h"
 #include "renderer/materials.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -133,26 +132,25 @@ cost::Wish wish_of(const Options& options) {
     return wish;
 }
 
-void refuse_what_changes_nothing(const Options& options, const CLI::App& command) {
+void refuse_what_changes_nothing(const Options& options, const Command& command) {
     if (options.subject.empty())
         throw CommandError("\"\": expected a study's folder or file, or a model file, a model's "
                            "name or a body");
     if (!options.earlier.empty())
-        expect_not_given(command,
-                         {"--scene", "--variant", "--material", "--diameter-mm", "--turn-degrees",
-                          "--up", "--to-light", "--frame-size", "--holes", "--methods", "--presets",
-                          "--decimate", "--law", "--size", "--samples", "--rounds", "--time",
-                          "--held-out", "--reference-seconds"},
-                         "nothing is measured with --from, expected one of the two");
+        command.expect_not_given({"--scene", "--variant", "--material", "--diameter-mm",
+                                  "--turn-degrees", "--up", "--to-light", "--frame-size", "--holes",
+                                  "--methods", "--presets", "--decimate", "--law", "--size",
+                                  "--samples", "--rounds", "--time", "--held-out",
+                                  "--reference-seconds"},
+                                 "nothing is measured with --from, expected one of the two");
     if (is_study(options.subject))
-        expect_not_given(command,
-                         {"--material", "--diameter-mm", "--turn-degrees", "--up", "--to-light",
-                          "--frame-size", "--holes"},
-                         "is for a model; " + options.subject +
-                             " is a study, which says it itself");
+        command.expect_not_given({"--material", "--diameter-mm", "--turn-degrees", "--up",
+                                  "--to-light", "--frame-size", "--holes"},
+                                 "is for a model; " + options.subject +
+                                     " is a study, which says it itself");
     if (options.measure.sweep.presets_only)
-        expect_not_given(command, {"--decimate"},
-                         "--presets measures no simplified mesh, expected one of the two");
+        command.expect_not_given({"--decimate"},
+                                 "--presets measures no simplified mesh, expected one of the two");
 }
 
 void check(const Options& options, const std::vector<protocols::Scene>& scenes) {
@@ -199,7 +197,7 @@ void tell(const Options& options, const fs::path& folder, const cost::CostReport
     options.voice.remark(value_or_stop(cost::write_cost(folder, report)).string());
 }
 
-void run(Options& options, const CLI::App& command) {
+void run(Options& options, const Command& command) {
     refuse_what_changes_nothing(options, command);
     const auto loaded = is_study(options.subject) ? value_or_stop(read_study(options.subject))
                                                   : study_of_model(options);
@@ -247,30 +245,30 @@ void run(Options& options, const CLI::App& command) {
     tell(options, folder, report);
 }
 
-void add_model_options(CLI::App& command, const std::shared_ptr<Options>& options) {
+void add_model_options(Command& command, const std::shared_ptr<Options>& options) {
     command.add_option("--material", options->look.material, "Of a model: a measured material")
-        ->check(one_of(renderer::measured_names()))
-        ->capture_default_str();
+        .one_of(renderer::measured_names())
+        .shows_default();
     command.add_option("--diameter-mm", options->look.diameter_mm, "Of a model's bounding sphere")
-        ->check(within(1e-6, 1e6))
-        ->capture_default_str();
+        .within(1e-6, 1e6)
+        .shows_default();
     command.add_option("--turn-degrees", options->look.turn_degrees, "Of a model")
-        ->check(within(-360, 360));
-    command.add_option("--up", options->look.up, "Of a model")->check(within(-1e9, 1e9));
+        .within(-360, 360);
+    command.add_option("--up", options->look.up, "Of a model").within(-1e9, 1e9);
     command
         .add_option("--to-light", options->to_light,
                     "For a model: toward the light, x right, y up, z toward the viewer; without it "
                     "three lights, from behind, the front and the left")
-        ->check(within(-1e9, 1e9));
+        .within(-1e9, 1e9);
     add_holes(command, options->holes);
     command
         .add_option("--frame-size", options->frame_size,
                     "For a model: pixels along an edge of the frames that are timed")
-        ->check(within(8, 8192))
-        ->capture_default_str();
+        .within(8, 8192)
+        .shows_default();
 }
 
-void add_measuring_options(CLI::App& command, const std::shared_ptr<Options>& options) {
+void add_measuring_options(Command& command, const std::shared_ptr<Options>& options) {
     auto& measure = options->measure;
     command.add_option("--methods", measure.sweep.methods, "Methods to measure; without it, all");
     command.add_flag("--presets", measure.sweep.presets_only, "Every method at its presets only");
@@ -278,78 +276,78 @@ void add_measuring_options(CLI::App& command, const std::shared_ptr<Options>& op
         .add_option("--decimate", measure.sweep.one_of,
                     "Simplified meshes on which the presets are measured too: one of so many "
                     "triangles is kept; 1: only the mesh as it is")
-        ->check(within(1, 1000))
-        ->capture_default_str();
+        .within(1, 1000)
+        .shows_default();
     command
         .add_option("--law", options->law,
                     "Of attenuation; without it, that of the study's conditions")
-        ->check(one_of({"paper", "physical"}));
+        .one_of({"paper", "physical"});
     command
         .add_option("--size", measure.size,
                     "Pixels along the longer edge of the pictures that are compared")
-        ->check(within(8, 8192))
-        ->capture_default_str();
+        .within(8, 8192)
+        .shows_default();
     command.add_option("--samples", measure.samples, "Of each of their pixels")
-        ->check(within(1, 256))
-        ->capture_default_str();
+        .within(1, 256)
+        .shows_default();
     command.add_option("--rounds", measure.rounds, "Of timed frames")
-        ->check(within(1, 1000))
-        ->capture_default_str();
+        .within(1, 1000)
+        .shows_default();
     command
         .add_option("--time", options->time,
                     "How frames are timed: by the processor's time, which others on the machine do "
                     "not change, or by the clock; auto: the first where the processor draws")
-        ->check(one_of({"auto", "processor", "clock"}))
-        ->capture_default_str();
+        .one_of({"auto", "processor", "clock"})
+        .shows_default();
     command
         .add_option("--held-out", measure.held_out_lights,
                     "Directions of light under which thickness is compared")
-        ->check(within(1, 1000))
-        ->capture_default_str();
+        .within(1, 1000)
+        .shows_default();
     command
         .add_option("--reference-seconds", measure.truth.seconds,
                     "For each path-traced picture that is not there yet; 0: do without")
-        ->check(within(0.0, 1e6))
-        ->capture_default_str();
+        .within(0.0, 1e6)
+        .shows_default();
 }
 
 } // namespace
 
-void add_cost(CLI::App& program) {
+void add_cost(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "cost", "Speed against error of every method and its dials, and the setting to take");
     command
-        ->add_option("STUDY|MODEL", options->subject,
-                     "A study; or a model file, a model's name or a body")
-        ->required();
-    command->add_option("--scene", options->scenes, "Scenes of the study; without it, all");
-    command->add_option("--variant", options->variants, "Variants to measure; without it, all");
-    add_model_options(*command, options);
-    add_measuring_options(*command, options);
+        .add_option("STUDY|MODEL", options->subject,
+                    "A study; or a model file, a model's name or a body")
+        .required();
+    command.add_option("--scene", options->scenes, "Scenes of the study; without it, all");
+    command.add_option("--variant", options->variants, "Variants to measure; without it, all");
+    add_model_options(command, options);
+    add_measuring_options(command, options);
     command
-        ->add_option("--error", options->error,
-                     "Which error the choice goes by: of thickness, of the picture under the same "
-                     "law, or against the path-traced one (at equal brightness, or fitted)")
-        ->check(one_of({"thickness", "law", "reference", "fitted"}))
-        ->capture_default_str();
+        .add_option("--error", options->error,
+                    "Which error the choice goes by: of thickness, of the picture under the same "
+                    "law, or against the path-traced one (at equal brightness, or fitted)")
+        .one_of({"thickness", "law", "reference", "fitted"})
+        .shows_default();
     command
-        ->add_option("--tolerance", options->tolerance,
-                     "Choose the cheapest setting with at most this error, 0.05 without it")
-        ->check(within(1e-6, 10.0));
+        .add_option("--tolerance", options->tolerance,
+                    "Choose the cheapest setting with at most this error, 0.05 without it")
+        .within(1e-6, 10.0);
     command
-        ->add_option("--frame-budget", options->budget_ms,
-                     "Choose the least error of the settings that draw a frame in so many ms")
-        ->check(within(1e-3, 1e6));
+        .add_option("--frame-budget", options->budget_ms,
+                    "Choose the least error of the settings that draw a frame in so many ms")
+        .within(1e-3, 1e6);
     command
-        ->add_option("--out", options->out,
-                     "Folder to write; without it, STUDY/cost or <model>-cost")
-        ->check(not_standard_output());
-    command->add_option("--from", options->earlier,
-                        "cost.json of earlier runs: put together and chosen from again; nothing is "
-                        "measured");
-    add_voice(*command, options->voice);
-    command->callback([options, command] { run(*options, *command); });
+        .add_option("--out", options->out,
+                    "Folder to write; without it, STUDY/cost or <model>-cost")
+        .not_standard_output();
+    command.add_option(
+        "--from", options->earlier,
+        "cost.json of earlier runs: put together and chosen from again; nothing is measured");
+    add_voice(command, options->voice);
+    command.runs([options, command] { run(*options, command); });
 }
 
 } // namespace experiment::commands

@@ -1,11 +1,10 @@
 // pairlight demo: the quick study from an empty folder to a finished report.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
 #include "experiment/commands/sittings.h"
 #include "experiment/commands/steps.h"
-#include "experiment/commands/within.h"
 #include "experiment/progress.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -84,20 +83,20 @@ void run_demo(const std::string& folder, const Voice& voice) {
 
 } // namespace
 
-void add_demo(CLI::App& program) {
+void add_demo(Command& program) {
     struct Options {
         std::string folder = "demo-study";
         Voice voice;
     };
 
     const auto options = std::make_shared<Options>();
-    auto* command =
-        program.add_subcommand("demo", "The quick study from an empty folder to a finished report");
-    command->add_option("DIR", options->folder, "The study folder to make")
-        ->check(not_standard_output())
-        ->capture_default_str();
-    add_voice(*command, options->voice);
-    command->callback([options] { run_demo(options->folder, options->voice); });
+    auto command =
+        program.add_command("demo", "The quick study from an empty folder to a finished report");
+    command.add_option("DIR", options->folder, "The study folder to make")
+        .not_standard_output()
+        .shows_default();
+    add_voice(command, options->voice);
+    command.runs([options] { run_demo(options->folder, options->voice); });
 }
 
 } // namespace experiment::commands

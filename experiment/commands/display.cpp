@@ -1,16 +1,15 @@
 // pairlight display, timing-check, photometer and pages: what shows the pictures, looked at and
 // measured.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
 #include "experiment/commands/sittings.h"
 #include "experiment/commands/stimulus_files.h"
-#include "experiment/commands/within.h"
 #include "experiment/stimuli/freshness.h"
 #include "experiment/text_files.h"
 #include "protocols/calibration.h"
 #include "protocols/schedule.h"
 #include "renderer/imaging/image_files.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
@@ -33,12 +32,12 @@ struct Options {
     Voice voice;
 };
 
-void add_seat(CLI::App& command, Options& options) {
-    command.add_option("STUDY", options.study, "Study folder or its study.toml")->required();
+void add_seat(Command& command, Options& options) {
+    command.add_option("STUDY", options.study, "Study folder or its study.toml").required();
     command.add_option("--window", options.window,
                        "A window of this size, such as 1280x720, not the full screen");
     command.add_option("--monitor", options.monitor, "Which monitor; 1 is the primary one")
-        ->check(within(1, 1000));
+        .within(1, 1000);
     add_voice(command, options.voice);
 }
 
@@ -214,34 +213,32 @@ void run_pages(const Options& options) {
 
 } // namespace
 
-void add_display(CLI::App& program) {
+void add_display(Command& program) {
     const auto options = std::make_shared<Options>();
     options->swaps = 120;
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "display", "What is known of the screen; brightness and contrast to set by eye");
-    add_seat(*command, *options);
-    command->callback([options] { run_display(*options); });
+    add_seat(command, *options);
+    command.runs([options] { run_display(*options); });
 }
 
-void add_timing_check(CLI::App& program) {
+void add_timing_check(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command =
-        program.add_subcommand("timing-check", "Whether the screen keeps time: swaps, measured");
-    add_seat(*command, *options);
-    command->add_option("--swaps", options->swaps, "How many")
-        ->check(within(10, 100000))
-        ->capture_default_str();
-    command->callback([options] { run_timing_check(*options); });
+    auto command =
+        program.add_command("timing-check", "Whether the screen keeps time: swaps, measured");
+    add_seat(command, *options);
+    command.add_option("--swaps", options->swaps, "How many").within(10, 100000).shows_default();
+    command.runs([options] { run_timing_check(*options); });
 }
 
-void add_photometer(CLI::App& program) {
+void add_photometer(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "photometer", "Patches to measure on the screen, one after the other; or the measurements");
-    add_seat(*command, *options);
-    command->add_option("--csv", options->csv,
-                        "Take these measurements: code,cd_m2 or code_r,code_g,code_b,X,Y,Z");
-    command->callback([options] {
+    add_seat(command, *options);
+    command.add_option("--csv", options->csv,
+                       "Take these measurements: code,cd_m2 or code_r,code_g,code_b,X,Y,Z");
+    command.runs([options] {
         const auto loaded = value_or_stop(read_study(options->study));
         if (options->csv.empty())
             show_patches(loaded, *options);
@@ -250,15 +247,15 @@ void add_photometer(CLI::App& program) {
     });
 }
 
-void add_pages(CLI::App& program) {
+void add_pages(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "pages", "Every page of a sitting as a picture, to read before anyone sits");
-    add_seat(*command, *options);
-    command->add_option("--png", options->folder, "The folder to write them to")
-        ->required()
-        ->check(not_standard_output());
-    command->callback([options] { run_pages(*options); });
+    add_seat(command, *options);
+    command.add_option("--png", options->folder, "The folder to write them to")
+        .required()
+        .not_standard_output();
+    command.runs([options] { run_pages(*options); });
 }
 
 } // namespace experiment::commands

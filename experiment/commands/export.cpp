@@ -2,15 +2,13 @@
 #include "analysis/formats/sureal_writer.h"
 #include "analysis/formats/vote_writers.h"
 #include "analysis/vote_matrix_csv.h"
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
-#include "experiment/commands/within.h"
 #include "experiment/tables.h"
 #include "experiment/vote_source.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
-#include <map>
 #include <memory>
 
 namespace experiment::commands {
@@ -43,7 +41,7 @@ std::string exported(const std::string& study, Form form) {
 
 } // namespace
 
-void add_export(CLI::App& program) {
+void add_export(Command& program) {
     struct Options {
         std::string study;
         Form form = Form::Long;
@@ -52,28 +50,26 @@ void add_export(CLI::App& program) {
     };
 
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "export", "Vote matrices and vote tables, as CSV or as other programs read them");
-    command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
+    command.add_option("STUDY", options->study, "Study folder or its study.toml").required();
     command
-        ->add_option(
-            "--format", options->form,
-            "long: one row per vote; matrices: votes for winner over loser in every scope; scores; "
-            "and as other programs read votes: pwcmp, pairs (BradleyTerry2), paired-comparison "
-            "(psychotools), sureal (its data set, a Python script)")
-        ->transform(word_for(
-            numbered(std::map<std::string, Form>{{"long", Form::Long},
-                                                 {"matrices", Form::Matrices},
-                                                 {"scores", Form::Scores},
-                                                 {"pwcmp", Form::Pwcmp},
-                                                 {"pairs", Form::Pairs},
-                                                 {"paired-comparison", Form::PairedComparison},
-                                                 {"sureal", Form::Sureal}})))
-        ->required();
-    command->add_option("--csv", options->csv,
-                        "The file to write; without it, or with -, standard output");
-    add_voice(*command, options->voice);
-    command->callback([options] {
+        .add_choice("--format", options->form,
+                    "long: one row per vote; matrices: votes for winner over loser in every scope; "
+                    "scores; and as other programs read votes: pwcmp, pairs (BradleyTerry2), "
+                    "paired-comparison (psychotools), sureal (its data set, a Python script)",
+                    {{"long", Form::Long},
+                     {"matrices", Form::Matrices},
+                     {"scores", Form::Scores},
+                     {"pwcmp", Form::Pwcmp},
+                     {"pairs", Form::Pairs},
+                     {"paired-comparison", Form::PairedComparison},
+                     {"sureal", Form::Sureal}})
+        .required();
+    command.add_option("--csv", options->csv,
+                       "The file to write; without it, or with -, standard output");
+    add_voice(command, options->voice);
+    command.runs([options] {
         const auto table = exported(options->study, options->form);
         deliver(table, options->csv, options->study);
         if (!is_standard_output(options->csv))

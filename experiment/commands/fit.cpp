@@ -1,5 +1,6 @@
 // pairlight fit: each method at its best, the coefficients with which it comes nearest to given
 // pictures, and how near it comes under a light that was held out.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
 #include "experiment/models.h"
 #include "experiment/progress.h"
@@ -8,7 +9,6 @@
 #include "renderer/gpu/context.h"
 #include "renderer/imaging/image_files.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -149,20 +149,20 @@ void run(Options& options) {
 
 } // namespace
 
-void add_fit(CLI::App& program) {
+void add_fit(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "fit", "The coefficients with which each method comes nearest to the reference");
-    command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
-    command->add_option("--targets", options->targets,
-                        "Folder of <scene>/<variant>.exr, linear; without it, STUDY/reference");
-    command->add_option("--scene", options->scenes, "Scenes to fit; without it, all");
-    command->add_option("--hold-out", options->held_out,
-                        "A variant to leave out of the fit and to measure it by");
-    command->add_option("--json", options->json,
-                        "Write the fits to this file, as JSON; - is standard output");
-    add_voice(*command, options->voice);
-    command->callback([options] { run(*options); });
+    command.add_option("STUDY", options->study, "Study folder or its study.toml").required();
+    command.add_option("--targets", options->targets,
+                       "Folder of <scene>/<variant>.exr, linear; without it, STUDY/reference");
+    command.add_option("--scene", options->scenes, "Scenes to fit; without it, all");
+    command.add_option("--hold-out", options->held_out,
+                       "A variant to leave out of the fit and to measure it by");
+    command.add_option("--json", options->json,
+                       "Write the fits to this file, as JSON; - is standard output");
+    add_voice(command, options->voice);
+    command.runs([options] { run(*options); });
 }
 
 } // namespace experiment::commands

@@ -1,7 +1,7 @@
 // pairlight import: a folder of pictures made elsewhere becomes a study's stimuli.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
 #include "experiment/commands/tone_curve.h"
-#include "experiment/commands/within.h"
 #include "experiment/read_study.h"
 #include "experiment/stimuli/own_images.h"
 #include "experiment/stimuli/scene_renderer.h"
@@ -9,7 +9,6 @@
 #include "protocols/digest.h"
 #include "renderer/imaging/image_files.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +26,7 @@ struct Options {
     std::string from;
     std::string curve;
     double exposure = 0;
-    bool as_is = false;
+    std::string colour = "refuse";
     Voice voice;
 };
 
@@ -74,7 +73,7 @@ Imported from_codes(const fs::path& file, const Options& options) {
     auto read = value_or_stop(imaging::read_encoded(file));
     if (read.colour_remark.empty())
         return {std::move(read.image), "codes as they are, sRGB"};
-    if (!options.as_is)
+    if (options.colour != "as-is")
         throw CommandError(fmt::format("{}: has {}, expected sRGB; convert it, or show its codes "
                                        "as if they were with --colour as-is",
                                        file.string(), read.colour_remark));
@@ -116,30 +115,29 @@ void run(const Options& options) {
 
 } // namespace
 
-void add_import(CLI::App& program) {
+void add_import(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "import", "Take a study's own images from a folder: PNG, JPEG, TIFF or EXR");
-    command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
+    command.add_option("STUDY", options->study, "Study folder or its study.toml").required();
     command
-        ->add_option("--from", options->from,
-                     "The folder: <scene>/[<variant>/]<condition>.png, .jpg, .tif or .exr")
-        ->required()
-        ->check(CLI::ExistingDirectory);
-    command->add_option("--curve", options->curve, "How light becomes what a display shows (EXR)")
-        ->check(one_of({"clip", "reinhard"}));
+        .add_option("--from", options->from,
+                    "The folder: <scene>/[<variant>/]<condition>.png, .jpg, .tif or .exr")
+        .required()
+        .existing_folder();
+    command.add_option("--curve", options->curve, "How light becomes what a display shows (EXR)")
+        .one_of({"clip", "reinhard"});
     command
-        ->add_option("--exposure", options->exposure, "Stops by which light is lifted first (EXR)")
-        ->check(within(-20.0, 20.0))
-        ->capture_default_str();
+        .add_option("--exposure", options->exposure, "Stops by which light is lifted first (EXR)")
+        .within(-20.0, 20.0)
+        .shows_default();
     command
-        ->add_option_function<std::string>(
-            "--colour", [options](const std::string& word) { options->as_is = word == "as-is"; },
-            "Pictures with another colour profile than sRGB: refuse them, or take their codes "
-            "as-is")
-        ->check(one_of({"refuse", "as-is"}));
-    add_voice(*command, options->voice);
-    command->callback([options] { run(*options); });
+        .add_option("--colour", options->colour,
+                    "Pictures with another colour profile than sRGB: refuse them, or take their "
+                    "codes as-is")
+        .one_of({"refuse", "as-is"});
+    add_voice(command, options->voice);
+    command.runs([options] { run(*options); });
 }
 
 } // namespace experiment::commands

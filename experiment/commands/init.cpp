@@ -1,6 +1,6 @@
 // pairlight init: a new study folder, commented, ready to run.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
-#include "experiment/commands/within.h"
 #include "experiment/study_folder.h"
 #include "experiment/text_files.h"
 #include "protocols/studies/instructions.de.md.h"
@@ -9,7 +9,6 @@
 #include "protocols/studies/quick.toml.h"
 #include "protocols/studies/shss-2012.toml.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <map>
@@ -63,7 +62,7 @@ void make_study_folder(const fs::path& path,
     value_or_stop(write_text_file(folder.study_file(), german ? in_german(study) : study));
 }
 
-void add_init(CLI::App& program) {
+void add_init(Command& program) {
     struct Options {
         std::string folder;
         std::string study_template = "quick";
@@ -72,19 +71,16 @@ void add_init(CLI::App& program) {
     };
 
     const auto options = std::make_shared<Options>();
-    auto* command =
-        program.add_subcommand("init", "Make a new study folder, commented, ready to run");
-    command->add_option("DIR", options->folder, "The new folder")
-        ->required()
-        ->check(not_standard_output());
-    command->add_option("--template", options->study_template, "The study to begin with")
-        ->check(one_of({"shss-2012", "own-images", "quick"}))
-        ->capture_default_str();
-    command->add_option("--language", options->language, "Of the instructions and the pages")
-        ->check(one_of({"en", "de"}))
-        ->capture_default_str();
-    add_voice(*command, options->voice);
-    command->callback([options] {
+    auto command = program.add_command("init", "Make a new study folder, commented, ready to run");
+    command.add_option("DIR", options->folder, "The new folder").required().not_standard_output();
+    command.add_option("--template", options->study_template, "The study to begin with")
+        .one_of({"shss-2012", "own-images", "quick"})
+        .shows_default();
+    command.add_option("--language", options->language, "Of the instructions and the pages")
+        .one_of({"en", "de"})
+        .shows_default();
+    add_voice(command, options->voice);
+    command.runs([options] {
         make_study_folder(options->folder, options->study_template, options->language);
         fmt::print("{}\n", StudyFolder{options->folder}.study_file().string());
         options->voice.remark(fmt::format(

@@ -1,9 +1,9 @@
 // pairlight methods: every shading method and its dials, as a study file may name them.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
 #include "experiment/reference_dials.h"
 #include "renderer/methods/catalogue.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <memory>
@@ -65,12 +65,12 @@ std::vector<Description> all_methods() {
 
 } // namespace
 
-void add_methods(CLI::App& program) {
+void add_methods(Command& program) {
     const auto markdown = std::make_shared<bool>(false);
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "methods", "The shading methods and their dials, as a study file may name them");
-    command->add_flag("--markdown", *markdown, "As the page docs/methods.md");
-    command->callback([markdown] {
+    command.add_flag("--markdown", *markdown, "As the page docs/methods.md");
+    command.runs([markdown] {
         if (*markdown)
             fmt::print("# Methods\n\nWhat `method` and its dials may be in a `[[condition]]`. Keys "
                        "in brackets are those of [bibliography.md](bibliography.md). This page is "

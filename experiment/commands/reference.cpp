@@ -1,8 +1,8 @@
 // pairlight reference: a picture by following light, with its error; and the numbers of tables.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
-#include "experiment/commands/given_options.h"
+#include "experiment/commands/model_options.h"
 #include "experiment/commands/reference_energy.h"
-#include "experiment/commands/within.h"
 #include "experiment/models.h"
 #include "experiment/progress.h"
 #include "experiment/read_study.h"
@@ -13,7 +13,6 @@
 #include "renderer/reference/convergence.h"
 #include "renderer/reference/energy.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -109,19 +108,18 @@ void report(const Options& options,
         film.paths));
 }
 
-void refuse_what_changes_nothing(const Options& options, const CLI::App& command) {
+void refuse_what_changes_nothing(const Options& options, const Command& command) {
     if (is_study(options.subject))
-        expect_not_given(command,
-                         {"--material", "--diameter-mm", "--turn-degrees", "--up", "--to-light",
-                          "--holes", "--size"},
-                         "is for a model; " + options.subject +
-                             " is a study, which says it itself");
+        command.expect_not_given({"--material", "--diameter-mm", "--turn-degrees", "--up",
+                                  "--to-light", "--holes", "--size"},
+                                 "is for a model; " + options.subject +
+                                     " is a study, which says it itself");
     else
-        expect_not_given(command, {"--scene", "--variant"},
-                         "is for a study; " + options.subject + " is a model");
+        command.expect_not_given({"--scene", "--variant"},
+                                 "is for a study; " + options.subject + " is a model");
 }
 
-void run(Options& options, const CLI::App& command) {
+void run(Options& options, const Command& command) {
     if (options.subject.empty())
         throw CommandError("name a MODEL or a STUDY, or one of slab, half-space, sphere, furnace");
     if (options.out.empty())
@@ -130,8 +128,8 @@ void run(Options& options, const CLI::App& command) {
         throw CommandError(fmt::format("{}: expected a name that ends in .exr", options.out));
     refuse_what_changes_nothing(options, command);
     if (options.boundary != "rough")
-        expect_not_given(command, {"--roughness"},
-                         "is of a rough boundary; --boundary is " + options.boundary);
+        command.expect_not_given({"--roughness"},
+                                 "is of a rough boundary; --boundary is " + options.boundary);
     if (options.seconds > 0)
         options.rule.time_budget = std::chrono::duration<double>(options.seconds);
     const auto subject =
@@ -165,72 +163,67 @@ void run(Options& options, const CLI::App& command) {
     report(options, film, outcome);
 }
 
-void add_picture_options(CLI::App& command, const std::shared_ptr<Options>& options) {
+void add_picture_options(Command& command, const std::shared_ptr<Options>& options) {
     command.add_option("MODEL|STUDY", options->subject,
                        "A model file, a model's name or a body; or a study");
     command.add_option("--scene", options->scene, "Of the study; without it, its first");
     command.add_option("--variant", options->variant, "Of the study; without it, its first");
     command.add_option("--material", options->look.material, "Of a model: a measured material")
-        ->check(one_of(renderer::measured_names()))
-        ->capture_default_str();
+        .one_of(renderer::measured_names())
+        .shows_default();
     command.add_option("--diameter-mm", options->look.diameter_mm, "Of a model's bounding sphere")
-        ->check(within(1e-6, 1e6))
-        ->capture_default_str();
+        .within(1e-6, 1e6)
+        .shows_default();
     command.add_option("--turn-degrees", options->look.turn_degrees, "Of a model")
-        ->check(within(-360, 360));
-    command.add_option("--up", options->look.up, "Of a model")->check(within(-1e9, 1e9));
+        .within(-360, 360);
+    command.add_option("--up", options->look.up, "Of a model").within(-1e9, 1e9);
     command
         .add_option("--to-light", options->to_light,
                     "For a model: toward the light, x right, y up, z toward the viewer")
-        ->check(within(-1e9, 1e9));
+        .within(-1e9, 1e9);
     add_holes(command, options->holes);
     command.add_option("--size", options->size, "For a model: pixels along an edge")
-        ->check(within(8, 8192))
-        ->capture_default_str();
+        .within(8, 8192)
+        .shows_default();
     command.add_option("--boundary", options->boundary, "What the surface does to light")
-        ->check(one_of({"matched", "smooth", "rough"}))
-        ->capture_default_str();
+        .one_of({"matched", "smooth", "rough"})
+        .shows_default();
     command.add_option("--roughness", options->roughness, "GGX alpha of a rough boundary")
-        ->capture_default_str();
+        .shows_default();
     command
         .add_option("--anisotropy", options->anisotropy, "Henyey-Greenstein's g, at one sigma_s'")
-        ->check(within(-0.999, 0.999))
-        ->capture_default_str();
+        .within(-0.999, 0.999)
+        .shows_default();
     command
         .add_option("--sun-degrees", options->sun_degrees,
                     "Half-angle of the light; 0: all from one direction")
-        ->check(within(0.0, 90.0))
-        ->capture_default_str();
+        .within(0.0, 90.0)
+        .shows_default();
 }
 
 } // namespace
 
-void add_reference(CLI::App& program) {
+void add_reference(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "reference", "A picture by following light, as linear EXR with its error; or one number");
-    add_picture_options(*command, options);
+    add_picture_options(command, options);
     command
-        ->add_option("--relative-error", options->rule.relative,
-                     "95 % half-width of a pixel over its light that is good enough")
-        ->check(within(1e-5, 1.0))
-        ->capture_default_str();
+        .add_option("--relative-error", options->rule.relative,
+                    "95 % half-width of a pixel over its light that is good enough")
+        .within(1e-5, 1.0)
+        .shows_default();
     command
-        ->add_option(
+        .add_option(
             "--seconds", options->seconds,
             "Stop after so long with the best picture so far; 0: only when it is good enough")
-        ->check(within(0.0, 1e9));
-    command->add_option("--seed", options->seed, "Seed of the random numbers")
-        ->capture_default_str();
-    command->add_option("--out", options->out,
-                        "The EXR file; one of the same picture is gone on with");
-    add_voice(*command, options->voice);
-    command->require_subcommand(0, 1);
-    add_reference_energy(*command);
-    command->callback([options, command] {
-        if (command->get_subcommands().empty())
-            run(*options, *command);
-    });
+        .within(0.0, 1e9);
+    command.add_option("--seed", options->seed, "Seed of the random numbers").shows_default();
+    command.add_option("--out", options->out,
+                       "The EXR file; one of the same picture is gone on with");
+    add_voice(command, options->voice);
+    add_reference_energy(command);
+    command.runs([options, command] { run(*options, command); });
 }
 
 } // namespace experiment::commands

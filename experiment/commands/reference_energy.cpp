@@ -2,8 +2,7 @@
 #include "experiment/commands/reference_energy.h"
 
 #include "experiment/commands/command.h"
-#include "experiment/commands/given_options.h"
-#include "experiment/commands/within.h"
+#include "experiment/commands/command_line.h"
 #include "experiment/energy_json.h"
 #include "experiment/models.h"
 #include "renderer/geometry/mesh.h"
@@ -11,12 +10,10 @@
 #include "renderer/reference/illumination.h"
 #include "renderer/reference/mesh_body.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <chrono>
 #include <limits>
-#include <map>
 #include <memory>
 #include <string>
 
@@ -51,17 +48,18 @@ reference::Boundary boundary_of(const Options& options) {
 }
 
 /// What would change nothing, and whoever gave it would not know.
-void refuse_what_changes_nothing(const Options& options, const CLI::App& command) {
+void refuse_what_changes_nothing(const Options& options,
+                                 const Command& reference,
+                                 const Command& command) {
     const auto boundary = boundary_of(options);
     if (options.boundary == "matched" && options.problem.index != 1)
-        expect_not_given(command, {"--index"},
-                         "bends no light through a matched boundary; leave one of them out");
+        command.expect_not_given(
+            {"--index"}, "bends no light through a matched boundary; leave one of them out");
     if (boundary.kind != BoundaryKind::Rough)
-        expect_not_given(command, {"--roughness"}, "is of a rough boundary; add --boundary rough");
-    for (const auto* given : command.get_parent()->get_options())
-        if (given->count() > 0)
-            throw CommandError(fmt::format("{} is for a picture; leave it out beside {}",
-                                           given->get_name(), command.get_name()));
+        command.expect_not_given({"--roughness"}, "is of a rough boundary; add --boundary rough");
+    for (const auto& given : reference.given_options())
+        throw CommandError(
+            fmt::format("{} is for a picture; leave it out beside {}", given, command.name()));
 }
 
 /// The optical thickness is that of the bounding sphere's radius, as a sphere's is.
@@ -130,63 +128,60 @@ void run(const Options& options) {
         print_text(options, balance, seconds);
 }
 
-void add_shape(CLI::App& reference, const char* name, const char* description, EnergyShape shape) {
+void add_shape(Command& reference, const char* name, const char* description, EnergyShape shape) {
     const auto options = std::make_shared<Options>();
     options->shape = shape;
-    auto* command = reference.add_subcommand(name, description);
+    auto command = reference.add_command(name, description);
     auto& problem = options->problem;
-    command->add_option("--albedo", problem.albedo, "Scattered share of what collides")
-        ->check(within(0.0, 1.0))
-        ->capture_default_str();
-    command->add_option("--anisotropy", problem.anisotropy, "Henyey-Greenstein's g")
-        ->check(within(-0.999, 0.999))
-        ->capture_default_str();
+    command.add_option("--albedo", problem.albedo, "Scattered share of what collides")
+        .within(0.0, 1.0)
+        .shows_default();
+    command.add_option("--anisotropy", problem.anisotropy, "Henyey-Greenstein's g")
+        .within(-0.999, 0.999)
+        .shows_default();
     if (shape != EnergyShape::HalfSpace)
         command
-            ->add_option("--optical-thickness", problem.optical_thickness,
-                         shape == EnergyShape::Slab ? "Mean free paths across"
-                                                    : "Mean free paths in a radius")
-            ->check(within(1e-9, 1e9))
-            ->capture_default_str();
-    command->add_option("--index", problem.index, "Refractive index, inside over outside")
-        ->check(within(0.2, 5.0))
-        ->capture_default_str();
+            .add_option("--optical-thickness", problem.optical_thickness,
+                        shape == EnergyShape::Slab ? "Mean free paths across"
+                                                   : "Mean free paths in a radius")
+            .within(1e-9, 1e9)
+            .shows_default();
+    command.add_option("--index", problem.index, "Refractive index, inside over outside")
+        .within(0.2, 5.0)
+        .shows_default();
     command
-        ->add_option("--boundary", options->boundary,
-                     "matched, smooth or rough; without it, smooth where the index is not 1")
-        ->check(one_of({"matched", "smooth", "rough"}));
-    command->add_option("--roughness", problem.boundary.roughness, "GGX alpha of a rough boundary")
-        ->capture_default_str();
+        .add_option("--boundary", options->boundary,
+                    "matched, smooth or rough; without it, smooth where the index is not 1")
+        .one_of({"matched", "smooth", "rough"});
+    command.add_option("--roughness", problem.boundary.roughness, "GGX alpha of a rough boundary")
+        .shows_default();
     if (shape == EnergyShape::Furnace) {
         options->model = "sphere";
-        command->add_option("--model", options->model, "A model file, a model's name, or a body")
-            ->capture_default_str();
+        command.add_option("--model", options->model, "A model file, a model's name, or a body")
+            .shows_default();
     } else {
         problem.incidence = shape == EnergyShape::Sphere ? Incidence::Diffuse : Incidence::Normal;
-        command
-            ->add_option("--incidence", problem.incidence,
-                         shape == EnergyShape::Sphere
-                             ? "normal (a parallel beam as wide as the sphere) or diffuse"
-                             : "normal or diffuse")
-            ->transform(word_for(numbered(std::map<std::string, Incidence>{
-                {"normal", Incidence::Normal}, {"diffuse", Incidence::Diffuse}})));
+        command.add_choice("--incidence", problem.incidence,
+                           shape == EnergyShape::Sphere
+                               ? "normal (a parallel beam as wide as the sphere) or diffuse"
+                               : "normal or diffuse",
+                           {{"normal", Incidence::Normal}, {"diffuse", Incidence::Diffuse}});
     }
-    command->add_option("--paths", options->run.paths, "How many paths of light")
-        ->check(within(std::uint64_t{128}, std::uint64_t{1} << 40))
-        ->capture_default_str();
-    command->add_option("--seed", options->run.seed, "Seed of the random numbers")
-        ->capture_default_str();
-    command->add_option("--json", options->json, "Write JSON to this file; - is standard output");
-    add_voice(*command, options->voice);
-    command->callback([options, command] {
-        refuse_what_changes_nothing(*options, *command);
+    command.add_option("--paths", options->run.paths, "How many paths of light")
+        .within(std::uint64_t{128}, std::uint64_t{1} << 40)
+        .shows_default();
+    command.add_option("--seed", options->run.seed, "Seed of the random numbers").shows_default();
+    command.add_option("--json", options->json, "Write JSON to this file; - is standard output");
+    add_voice(command, options->voice);
+    command.runs([options, reference, command] {
+        refuse_what_changes_nothing(*options, reference, command);
         run(*options);
     });
 }
 
 } // namespace
 
-void add_reference_energy(CLI::App& reference) {
+void add_reference_energy(Command& reference) {
     add_shape(reference, "slab", "Reflectance and transmittance of a slab", EnergyShape::Slab);
     add_shape(reference, "half-space", "Reflectance of a half-space", EnergyShape::HalfSpace);
     add_shape(reference, "sphere", "What escapes of the light that falls on a sphere",

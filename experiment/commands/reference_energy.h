@@ -1,13 +1,11 @@
 // The subcommands of `pairlight reference` that compute numbers of books and tables.
 #pragma once
 
-namespace CLI {
-class App;
-}
-
 namespace experiment::commands {
 
+class Command;
+
 /// slab, half-space, sphere, furnace.
-void add_reference_energy(CLI::App& reference);
+void add_reference_energy(Command& reference);
 
 } // namespace experiment::commands

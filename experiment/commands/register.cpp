@@ -1,15 +1,14 @@
 // pairlight register: an observer before the first sitting, by a pseudonym and nothing that names
 // anybody.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
 #include "experiment/commands/sittings.h"
-#include "experiment/commands/within.h"
 #include "experiment/session/clock.h"
 #include "experiment/store/screened.h"
 #include "experiment/vote_source.h"
 #include "protocols/digest.h"
 #include "protocols/questionnaire.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -149,30 +148,30 @@ void run(const Options& options) {
 
 } // namespace
 
-void add_register(CLI::App& program) {
+void add_register(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "register",
         "An observer before the first sitting: consent, screening, the study's questions");
-    command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
+    command.add_option("STUDY", options->study, "Study folder or its study.toml").required();
     command
-        ->add_option("--observer", options->observer,
-                     "The observer's pseudonym, never a name; without it, one is drawn")
-        ->check(not_blank("a pseudonym, or no --observer to draw one"));
-    command->add_flag("--consent", options->consent,
-                      "The observer has read the instructions and agreed to take part");
-    command->add_option("--answer", options->answers,
-                        "QUESTION=ANSWER, once for each question; what is missing is asked for");
-    add_voice(*command, options->voice);
-    command->callback([options] { run(*options); });
+        .add_option("--observer", options->observer,
+                    "The observer's pseudonym, never a name; without it, one is drawn")
+        .not_blank("a pseudonym, or no --observer to draw one");
+    command.add_flag("--consent", options->consent,
+                     "The observer has read the instructions and agreed to take part");
+    command.add_option("--answer", options->answers,
+                       "QUESTION=ANSWER, once for each question; what is missing is asked for");
+    add_voice(command, options->voice);
+    command.runs([options] { run(*options); });
 }
 
-void add_observers(CLI::App& program) {
+void add_observers(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand("observers", "Who takes part, and how far they are");
-    command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
-    add_voice(*command, options->voice);
-    command->callback([options] {
+    auto command = program.add_command("observers", "Who takes part, and how far they are");
+    command.add_option("STUDY", options->study, "Study folder or its study.toml").required();
+    add_voice(command, options->voice);
+    command.runs([options] {
         const auto loaded = value_or_stop(read_study(options->study));
         const auto store = value_or_stop(open_whole_votes(loaded.folder));
         const auto sittings = value_or_stop(store->sittings());

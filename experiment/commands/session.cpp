@@ -1,9 +1,8 @@
 // pairlight session: one sitting of one observer.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
 #include "experiment/commands/sittings.h"
-#include "experiment/commands/within.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <memory>
@@ -37,32 +36,32 @@ void run(Options options) {
 
 } // namespace
 
-void add_session(CLI::App& program) {
+void add_session(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command =
-        program.add_subcommand("session", "One sitting of one observer; an unfinished one goes on");
-    command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
-    command->add_option("--observer", options->observer, "The observer's pseudonym, never a name")
-        ->required();
-    command->add_option("--session", options->session, "Which sitting; without it, the next one")
-        ->check(within(1, 1000));
-    command->add_option(
+    auto command =
+        program.add_command("session", "One sitting of one observer; an unfinished one goes on");
+    command.add_option("STUDY", options->study, "Study folder or its study.toml").required();
+    command.add_option("--observer", options->observer, "The observer's pseudonym, never a name")
+        .required();
+    command.add_option("--session", options->session, "Which sitting; without it, the next one")
+        .within(1, 1000);
+    command.add_option(
         "--simulate", options->simulate,
         "Vote by a simulated observer, such as \"scores=a:1,b:0;noise=1;seed=7\"; no window");
-    command->add_option("--window", options->window,
-                        "A window of this size, such as 1280x720, not the full screen");
-    command->add_option("--monitor", options->seat.monitor, "Which monitor; 1 is the primary one")
-        ->check(within(1, 1000));
+    command.add_option("--window", options->window,
+                       "A window of this size, such as 1280x720, not the full screen");
+    command.add_option("--monitor", options->seat.monitor, "Which monitor; 1 is the primary one")
+        .within(1, 1000);
     command
-        ->add_option("--override-days", options->seat.override_reason,
-                     "Sit earlier than the study allows, for this reason; it is recorded")
-        ->check(not_blank("a reason in words; it is recorded"));
-    command->add_flag("--set-up", options->seat.setting_up,
-                      "Begin with the experimenter's pages: the display, brightness and contrast");
-    command->add_flag("--allow-long", options->seat.allow_long,
-                      "Sit even if the plan takes longer than the study allows");
-    add_voice(*command, options->voice);
-    command->callback([options] { run(*options); });
+        .add_option("--override-days", options->seat.override_reason,
+                    "Sit earlier than the study allows, for this reason; it is recorded")
+        .not_blank("a reason in words; it is recorded");
+    command.add_flag("--set-up", options->seat.setting_up,
+                     "Begin with the experimenter's pages: the display, brightness and contrast");
+    command.add_flag("--allow-long", options->seat.allow_long,
+                     "Sit even if the plan takes longer than the study allows");
+    add_voice(command, options->voice);
+    command.runs([options] { run(*options); });
 }
 
 } // namespace experiment::commands

@@ -1,13 +1,12 @@
 // pairlight simplify: a model with fewer triangles, closed as it was.
 #include "renderer/geometry/simplify.h"
 
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
-#include "experiment/commands/within.h"
 #include "experiment/models.h"
 #include "experiment/study_folder.h"
 #include "renderer/geometry/off_file.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -50,22 +49,22 @@ void run(const Options& options) {
 
 } // namespace
 
-void add_simplify(CLI::App& program) {
+void add_simplify(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "simplify", "A closed model with fewer triangles, closed as it was, as OFF");
-    command->add_option("MODEL", options->model, "A model file, a model's name or a body")
-        ->required();
+    command.add_option("MODEL", options->model, "A model file, a model's name or a body")
+        .required();
     command
-        ->add_option("--one-of", options->one_of,
-                     "Of so many triangles one is kept: 4 keeps a quarter")
-        ->check(within(1, 1e6));
-    command->add_option("--triangles", options->triangles, "So many are kept, or one less")
-        ->check(within(4, 1e9));
-    command->add_option("--out", options->out,
-                        "The OFF file; without it, or with -, standard output");
-    add_voice(*command, options->voice);
-    command->callback([options] { run(*options); });
+        .add_option("--one-of", options->one_of,
+                    "Of so many triangles one is kept: 4 keeps a quarter")
+        .within(1, 1e6);
+    command.add_option("--triangles", options->triangles, "So many are kept, or one less")
+        .within(4, 1e9);
+    command.add_option("--out", options->out,
+                       "The OFF file; without it, or with -, standard output");
+    add_voice(command, options->voice);
+    command.runs([options] { run(*options); });
 }
 
 } // namespace experiment::commands

@@ -1,7 +1,7 @@
 // pairlight thickness: how much material lies between a model's vertices and the light, as a table.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
-#include "experiment/commands/given_options.h"
-#include "experiment/commands/within.h"
+#include "experiment/commands/model_options.h"
 #include "experiment/directions_file.h"
 #include "experiment/models.h"
 #include "experiment/progress.h"
@@ -9,7 +9,6 @@
 #include "renderer/harmonics/basis.h"
 #include "renderer/thickness/thickness_field.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -73,37 +72,35 @@ std::string thickness_csv(const renderer::geometry::Mesh& mesh,
 
 } // namespace
 
-void add_thickness(CLI::App& program) {
+void add_thickness(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "thickness", "How much material lies between a model's vertices and the light, as CSV");
-    command->add_option("MODEL", options->model, "A model file, a model's name, or a body")
-        ->required();
+    command.add_option("MODEL", options->model, "A model file, a model's name, or a body")
+        .required();
     command
-        ->add_option("--directions", options->directions,
-                     "CSV with columns x,y,z: unit vectors toward the light")
-        ->required();
-    command->add_option("--kind", options->kind, "Which length counts")
-        ->transform(word_for(
-            numbered(std::map<std::string, thickness::Kind>{{"sum", thickness::Kind::Sum},
-                                                            {"first", thickness::Kind::First},
-                                                            {"span", thickness::Kind::Span}})));
-    auto* exact = command->add_flag("--exact", options->exact, "Trace every direction asked for");
+        .add_option("--directions", options->directions,
+                    "CSV with columns x,y,z: unit vectors toward the light")
+        .required();
+    command.add_choice("--kind", options->kind, "Which length counts",
+                       {{"sum", thickness::Kind::Sum},
+                        {"first", thickness::Kind::First},
+                        {"span", thickness::Kind::Span}});
+    auto exact = command.add_flag("--exact", options->exact, "Trace every direction asked for");
     command
-        ->add_option("--bands", options->bands,
-                     "Reconstruct from this many bands, n^2 coefficients")
-        ->check(within(1, 6))
-        ->capture_default_str()
-        ->excludes(exact);
+        .add_option("--bands", options->bands, "Reconstruct from this many bands, n^2 coefficients")
+        .within(1, 6)
+        .shows_default()
+        .excludes(exact);
     command
-        ->add_option("--mm-per-unit", options->mm_per_unit,
-                     "Millimetres to a model unit; without it, model units")
-        ->check(within(1e-9, 1e9));
-    add_holes(*command, options->holes);
-    command->add_option("--csv", options->csv,
-                        "The file to write; without it, or with -, standard output");
-    add_voice(*command, options->voice);
-    command->callback([options] {
+        .add_option("--mm-per-unit", options->mm_per_unit,
+                    "Millimetres to a model unit; without it, model units")
+        .within(1e-9, 1e9);
+    add_holes(command, options->holes);
+    command.add_option("--csv", options->csv,
+                       "The file to write; without it, or with -, standard output");
+    add_voice(command, options->voice);
+    command.runs([options] {
         const auto directions = value_or_stop(read_directions(options->directions));
         const auto model =
             value_or_stop(load_model(options->model, StudyFolder{"."}, options->holes));

@@ -1,27 +1,27 @@
 // pairlight verify: whether the record of votes is whole.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
 #include "experiment/read_study.h"
 #include "experiment/store/sqlite_store.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include <memory>
 
 namespace experiment::commands {
 
-void add_verify(CLI::App& program) {
+void add_verify(Command& program) {
     struct Options {
         std::string study;
         Voice voice;
     };
 
     const auto options = std::make_shared<Options>();
-    auto* command =
-        program.add_subcommand("verify", "Whether the record of votes is whole and unchanged");
-    command->add_option("STUDY", options->study, "Study folder or its study.toml")->required();
-    add_voice(*command, options->voice);
-    command->callback([options] {
+    auto command =
+        program.add_command("verify", "Whether the record of votes is whole and unchanged");
+    command.add_option("STUDY", options->study, "Study folder or its study.toml").required();
+    add_voice(command, options->voice);
+    command.runs([options] {
         const auto file = study_folder(options->study).votes();
         const auto store = value_or_stop(store::open_votes(file));
         const auto faults = value_or_stop(store->verify());

@@ -1,6 +1,6 @@
 // pairlight view: a study or a model in real time, under the hand.
+#include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
-#include "experiment/commands/within.h"
 #include "experiment/progress.h"
 #include "experiment/viewer/exhibit.h"
 #include "experiment/viewer/keys.h"
@@ -8,7 +8,6 @@
 #include "experiment/viewer/viewer.h"
 #include "experiment/viewer/viewer_window.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -71,36 +70,36 @@ void view(const Options& options) {
 
 } // namespace
 
-void add_view(CLI::App& program) {
+void add_view(Command& program) {
     const auto options = std::make_shared<Options>();
-    auto* command = program.add_subcommand(
+    auto command = program.add_command(
         "view", "A study or a model in real time: walk round it, move the light, compare methods");
     command
-        ->add_option("STUDY|MODEL", options->name,
-                     "Study folder or its study.toml; or a model file, a model's name, or a body")
-        ->required();
-    command->add_option("--material", options->model.material, "What a model is made of")
-        ->capture_default_str();
+        .add_option("STUDY|MODEL", options->name,
+                    "Study folder or its study.toml; or a model file, a model's name, or a body")
+        .required();
+    command.add_option("--material", options->model.material, "What a model is made of")
+        .shows_default();
     command
-        ->add_option("--diameter", options->model.diameter_mm,
-                     "How large a model is made: diameter of its bounding sphere, mm")
-        ->check(within(1e-6, 1e9))
-        ->capture_default_str();
-    command->add_option("--size", options->size, "Width and height of the window, pixels")
-        ->check(within(1, 16384))
-        ->capture_default_str();
-    command->add_option("--press", options->strokes,
-                        "Keys pressed at the start, such as S T Shift+Left");
+        .add_option("--diameter", options->model.diameter_mm,
+                    "How large a model is made: diameter of its bounding sphere, mm")
+        .within(1e-6, 1e9)
+        .shows_default();
+    command.add_option("--size", options->size, "Width and height of the window, pixels")
+        .within(1, 16384)
+        .shows_default();
+    command.add_option("--press", options->strokes,
+                       "Keys pressed at the start, such as S T Shift+Left");
     command
-        ->add_option("--screenshot", options->screenshot,
-                     "Draw without a display, write this PNG and the light as EXR, and end")
-        ->type_name("FILE.png");
+        .add_option("--screenshot", options->screenshot,
+                    "Draw without a display, write this PNG and the light as EXR, and end")
+        .shown_as("FILE.png");
     command
-        ->add_option("--frames", options->frames,
-                     "End after so many pictures that follow the keys, at least 3")
-        ->check(within(1, 1e9));
-    add_voice(*command, options->voice);
-    command->callback([options] { view(*options); });
+        .add_option("--frames", options->frames,
+                    "End after so many pictures that follow the keys, at least 3")
+        .within(1, 1e9);
+    add_voice(command, options->voice);
+    command.runs([options] { view(*options); });
 }
 
 } // namespace experiment::commands
