@@ -207,8 +207,9 @@ void run(Options& options, const Command& command) {
     check(options, scenes);
     const auto folder = folder_for(options, loaded);
     if (!options.earlier.empty()) {
+        const auto report = put_together(options, loaded.study.title);
         keep_other_measurements(options, folder);
-        return tell(options, folder, put_together(options, loaded.study.title));
+        return tell(options, folder, report);
     }
     options.measure.sweep.law = law_for(options, loaded.study);
     options.measure.wish = wish_of(options);

@@ -26,9 +26,18 @@ std::map<std::string, double> claims() {
     return digits;
 }
 
+/// Digits by which another processor may fall short of the page.  Embree asks the processor for its
+/// estimate of a reciprocal, and every maker's is another: of what was traced, a last bit in the
+/// same place or in two is 0.6 digits.
+double allowance(const hard_cases::Case& each) {
+    const bool is_traced =
+        each.area == "rays" || each.area == "thin shells" || each.area == "coefficients";
+    return is_traced ? 0.7 : 0.1;
+}
+
 // Beyond 15 digits one last bit, which another processor or library may round otherwise, decides:
-// no more than 15 is held of a claim, and a tenth is allowed elsewhere.  The page and the test are
-// one test, so that everything is measured once.
+// no more than 15 is held of a claim.  The page and the test are one test, so that everything is
+// measured once.
 TEST(HardCases, KeepTheirDigitsAndThePageClaimsNoMore) {
     const auto claimed = claims();
     const auto cases = hard_cases::measure();
@@ -39,7 +48,7 @@ TEST(HardCases, KeepTheirDigitsAndThePageClaimsNoMore) {
         EXPECT_GE(each.digits, each.floor) << each.got << " for " << each.expected;
         const auto claim = claimed.find(" " + each.area + "  " + each.what + " ");
         ASSERT_NE(claim, claimed.end()) << "write the page again: hard_cases_report";
-        EXPECT_GE(each.digits, std::min(15.0, claim->second - 0.1));
+        EXPECT_GE(each.digits, std::min(15.0, claim->second - allowance(each)));
     }
 }
 

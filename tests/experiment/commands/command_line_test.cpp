@@ -10,7 +10,7 @@ using namespace experiment::commands;
 
 enum class Taste { Sweet, Sour };
 
-class Words : public testing::Test {
+class GivenWords : public testing::Test {
   protected:
     CommandLine line_{"pairlight", "A program for this test"};
     Command program_ = line_.program();
@@ -22,7 +22,7 @@ class Words : public testing::Test {
     }
 };
 
-TEST_F(Words, AreReadAsTheirOptionsSay) {
+TEST_F(GivenWords, AreReadAsTheirOptionsSay) {
     std::string sort;
     int cups = 1;
     std::uint64_t leaves = 1;
@@ -90,7 +90,7 @@ TEST_F(Words, AreReadAsTheirOptionsSay) {
     EXPECT_FALSE(sugar);
 }
 
-TEST_F(Words, StandForValues) {
+TEST_F(GivenWords, StandForValues) {
     auto first = Taste::Sour, second = Taste::Sour;
     const std::map<std::string, Taste> tastes{{"sweet", Taste::Sweet}, {"sour", Taste::Sour}};
     tea_.add_choice("--first", first, "", tastes);
@@ -100,7 +100,7 @@ TEST_F(Words, StandForValues) {
     EXPECT_EQ(second, Taste::Sour);
 }
 
-TEST_F(Words, ThatCannotBeUnderstoodDoNothing) {
+TEST_F(GivenWords, ThatCannotBeUnderstoodDoNothing) {
     int cups = 1;
     auto taste = Taste::Sweet;
     std::string reason, folder, milk = "none";
@@ -132,14 +132,14 @@ TEST_F(Words, ThatCannotBeUnderstoodDoNothing) {
     EXPECT_TRUE(made);
 }
 
-TEST_F(Words, ThatAreNeededMayNotBeMissing) {
+TEST_F(GivenWords, ThatAreNeededMayNotBeMissing) {
     std::string sort;
     tea_.add_option("SORT", sort, "").required();
     EXPECT_NE(run({"tea"}), 0);
     EXPECT_EQ(run({"tea", "--help"}), 0);
 }
 
-TEST_F(Words, NameTheInnermostCommandToRun) {
+TEST_F(GivenWords, NameTheInnermostCommandToRun) {
     std::vector<std::string> ran;
     std::string sort;
     tea_.add_option("--sort", sort, "");
@@ -155,7 +155,7 @@ TEST_F(Words, NameTheInnermostCommandToRun) {
     EXPECT_EQ(ran, (std::vector<std::string>{"iced", "tea"}));
 }
 
-TEST_F(Words, ThatWouldChangeNothingAreRefused) {
+TEST_F(GivenWords, ThatWouldChangeNothingAreRefused) {
     bool milk = false;
     double litres = 1;
     tea_.add_flag("--milk", milk, "");
