@@ -9,10 +9,10 @@
 #include "renderer/reference/energy.h"
 #include "renderer/reference/illumination.h"
 #include "renderer/reference/mesh_body.h"
+#include "renderer/stopwatch.h"
 
 #include <fmt/core.h>
 
-#include <chrono>
 #include <limits>
 #include <memory>
 #include <string>
@@ -113,14 +113,11 @@ void print_text(const Options& options, const reference::EnergyBalance& balance,
 }
 
 void run(const Options& options) {
-    if (options.shape == EnergyShape::Furnace && options.problem.albedo == 1) {
-        // the mean number of collisions is known beforehand, and with it how long this takes
+    if (options.shape == EnergyShape::Furnace && options.problem.albedo == 1)
         options.voice.remark("without absorption every path comes out: expected is exactly 1");
-    }
-    const auto start = std::chrono::steady_clock::now();
+    const renderer::Stopwatch watch;
     const auto balance = measured(options);
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = watch.seconds();
     if (!options.json.empty())
         deliver(energy_json(balance, options.shape, options.problem.incidence, seconds),
                 options.json, options.model);

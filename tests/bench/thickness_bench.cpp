@@ -12,6 +12,7 @@
 #include "renderer/geometry/morton_order.h"
 #include "renderer/geometry/ray_scene.h"
 #include "renderer/harmonics/directions.h"
+#include "renderer/stopwatch.h"
 #include "renderer/thickness/thickness_field.h"
 
 #if __has_include(<embree3/rtcore.h>)
@@ -25,7 +26,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <functional>
@@ -132,21 +132,17 @@ long peak_megabytes() {
     return usage.ru_maxrss / 1024;
 }
 
-double wall_seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
-
 struct Timings {
     std::string name;
     std::vector<double> processor, wall;
 };
 
 void take_time(Timings& timings, const std::function<void()>& work) {
-    const double processor = processor_seconds(), wall = wall_seconds();
+    const double processor = processor_seconds();
+    const renderer::Stopwatch watch;
     work();
     timings.processor.push_back(processor_seconds() - processor);
-    timings.wall.push_back(wall_seconds() - wall);
+    timings.wall.push_back(watch.seconds());
 }
 
 double median(std::vector<double> values) {
