@@ -82,12 +82,6 @@ LoadedStudy study_of_model(const Options& options) {
     return loaded;
 }
 
-bool is_study(const std::string& path) {
-    std::error_code ignored;
-    return fs::path(path).extension() == ".toml" ||
-           fs::exists(fs::path(path) / "study.toml", ignored);
-}
-
 /// What was named, or everything; a name that is not there is an error.
 template <class Thing>
 std::vector<Thing> chosen(const std::vector<Thing>& all,

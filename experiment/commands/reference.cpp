@@ -9,6 +9,7 @@
 #include "experiment/stimuli/lit_scene.h"
 #include "experiment/stimuli/reference_file.h"
 #include "experiment/stimuli/reference_recipe.h"
+#include "experiment/study_folder.h"
 #include "renderer/materials.h"
 #include "renderer/reference/convergence.h"
 #include "renderer/reference/energy.h"
@@ -57,12 +58,6 @@ struct Subject {
     protocols::Scene scene;
     protocols::Variant variant;
 };
-
-bool is_study(const std::string& path) {
-    std::error_code ignored;
-    return fs::path(path).extension() == ".toml" ||
-           fs::exists(fs::path(path) / "study.toml", ignored);
-}
 
 Subject study_subject(const Options& options) {
     const auto loaded = value_or_stop(read_study(options.subject));
