@@ -282,11 +282,18 @@ double JsonPlace::number() const {
 }
 
 int JsonPlace::count() const {
+    constexpr auto most = std::numeric_limits<int>::max();
+    const auto whole = size();
+    if (whole > static_cast<std::size_t>(most))
+        refuse(fmt::format("a whole number from 0 to {}", most));
+    return static_cast<int>(whole);
+}
+
+std::size_t JsonPlace::size() const {
     const auto* whole = std::get_if<std::uint64_t>(&value_->value);
-    constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<int>::max());
-    if (whole == nullptr || *whole > most)
+    if (whole == nullptr)
         refuse("a whole number from 0");
-    return static_cast<int>(*whole);
+    return *whole;
 }
 
 void JsonPlace::refuse(std::string_view wanted) const {

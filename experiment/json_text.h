@@ -4,6 +4,7 @@
 
 #include <tl/expected.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -58,8 +59,8 @@ class JsonPlace {
     std::vector<std::pair<std::string, JsonPlace>> members() const;
     std::string text() const;
     double number() const;
-    /// From 0; nothing that is counted here comes to more than an int holds.
-    int count() const;
+    int count() const;        ///< from 0, as far as an int goes
+    std::size_t size() const; ///< from 0: bytes may be more than an int holds
 
     [[noreturn]] void refuse(std::string_view wanted) const;
     [[noreturn]] void complain(std::string_view what) const;

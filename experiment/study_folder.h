@@ -25,4 +25,8 @@ struct StudyFolder {
 /// The study folder a person means by `path`: the folder itself, or the study.toml in it.
 StudyFolder study_folder(const std::filesystem::path& path);
 
+/// Whether a person means a study by `path`, and not a model: a .toml file, or a folder with a
+/// study.toml in it.
+bool is_study(const std::filesystem::path& path);
+
 } // namespace experiment

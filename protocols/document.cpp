@@ -48,10 +48,6 @@ Node to_node(const toml::node& node) {
     return {Moment{}, line};
 }
 
-} // namespace
-
-namespace {
-
 // Every part is a table in a table, and those are gone through and dropped one within the other.
 constexpr int most_parts = 64;
 

@@ -15,7 +15,6 @@
 #include "experiment/study_folder.h"
 #include "experiment/text_files.h"
 #include "renderer/gpu/context.h"
-#include "renderer/materials.h"
 
 #include <fmt/format.h>
 
@@ -80,12 +79,6 @@ LoadedStudy study_of_model(const Options& options) {
                                  lit_from("front", "from the front", {0.3, 0.3, 1}),
                                  lit_from("left", "from the left", {-1, 0.2, 0.2})};
     return loaded;
-}
-
-bool is_study(const std::string& path) {
-    std::error_code ignored;
-    return fs::path(path).extension() == ".toml" ||
-           fs::exists(fs::path(path) / "study.toml", ignored);
 }
 
 /// What was named, or everything; a name that is not there is an error.
@@ -247,15 +240,7 @@ void run(Options& options, const Command& command) {
 }
 
 void add_model_options(Command& command, const std::shared_ptr<Options>& options) {
-    command.add_option("--material", options->look.material, "Of a model: a measured material")
-        .one_of(renderer::measured_names())
-        .shows_default();
-    command.add_option("--diameter-mm", options->look.diameter_mm, "Of a model's bounding sphere")
-        .within(1e-6, 1e6)
-        .shows_default();
-    command.add_option("--turn-degrees", options->look.turn_degrees, "Of a model")
-        .within(-360, 360);
-    command.add_option("--up", options->look.up, "Of a model").within(-1e9, 1e9);
+    add_look(command, options->look);
     command
         .add_option("--to-light", options->to_light,
                     "For a model: toward the light, x right, y up, z toward the viewer; without it "

@@ -3,6 +3,7 @@
 
 #include "experiment/commands/command.h"
 #include "experiment/commands/command_line.h"
+#include "renderer/materials.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +17,17 @@ void expect_direction(const char* option, const std::array<double, 3>& v) {
     if (!(std::hypot(v[0], v[1], v[2]) > 0))
         throw CommandError(fmt::format("{} {} {} {}: expected a direction, not all zero", option,
                                        v[0], v[1], v[2]));
+}
+
+void add_look(Command& command, protocols::Scene& look) {
+    command.add_option("--material", look.material, "Of a model: a measured material")
+        .one_of(renderer::measured_names())
+        .shows_default();
+    command.add_option("--diameter-mm", look.diameter_mm, "Of a model's bounding sphere")
+        .within(1e-6, 1e6)
+        .shows_default();
+    command.add_option("--turn-degrees", look.turn_degrees, "Of a model").within(-360, 360);
+    command.add_option("--up", look.up, "Of a model").within(-1e9, 1e9);
 }
 
 void add_holes(Command& command, Holes& holes) {

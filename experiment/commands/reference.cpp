@@ -9,9 +9,10 @@
 #include "experiment/stimuli/lit_scene.h"
 #include "experiment/stimuli/reference_file.h"
 #include "experiment/stimuli/reference_recipe.h"
-#include "renderer/materials.h"
+#include "experiment/study_folder.h"
 #include "renderer/reference/convergence.h"
 #include "renderer/reference/energy.h"
+#include "renderer/units.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -57,12 +58,6 @@ struct Subject {
     protocols::Scene scene;
     protocols::Variant variant;
 };
-
-bool is_study(const std::string& path) {
-    std::error_code ignored;
-    return fs::path(path).extension() == ".toml" ||
-           fs::exists(fs::path(path) / "study.toml", ignored);
-}
 
 Subject study_subject(const Options& options) {
     const auto loaded = value_or_stop(read_study(options.subject));
@@ -168,15 +163,7 @@ void add_picture_options(Command& command, const std::shared_ptr<Options>& optio
                        "A model file, a model's name or a body; or a study");
     command.add_option("--scene", options->scene, "Of the study; without it, its first");
     command.add_option("--variant", options->variant, "Of the study; without it, its first");
-    command.add_option("--material", options->look.material, "Of a model: a measured material")
-        .one_of(renderer::measured_names())
-        .shows_default();
-    command.add_option("--diameter-mm", options->look.diameter_mm, "Of a model's bounding sphere")
-        .within(1e-6, 1e6)
-        .shows_default();
-    command.add_option("--turn-degrees", options->look.turn_degrees, "Of a model")
-        .within(-360, 360);
-    command.add_option("--up", options->look.up, "Of a model").within(-1e9, 1e9);
+    add_look(command, options->look);
     command
         .add_option("--to-light", options->to_light,
                     "For a model: toward the light, x right, y up, z toward the viewer")

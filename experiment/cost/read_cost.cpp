@@ -16,10 +16,6 @@ namespace {
 
 using renderer::cost::Spread;
 
-std::size_t size(const JsonPlace& json) {
-    return static_cast<std::size_t>(json.count());
-}
-
 Spread spread(const JsonPlace& json) {
     const Spread spread{json.at("lower").number(), json.at("median").number(),
                         json.at("upper").number()};
@@ -75,12 +71,12 @@ Row row_of(const JsonPlace& json) {
             .label = json.at("label").text(),
             .dials = {},
             .setting = json.at("setting").text(),
-            .vertices = size(json.at("vertices")),
-            .triangles = size(json.at("triangles")),
-            .mesh_bytes = size(json.at("mesh_bytes")),
+            .vertices = json.at("vertices").size(),
+            .triangles = json.at("triangles").size(),
+            .mesh_bytes = json.at("mesh_bytes").size(),
             .precompute_seconds = amount(json, "precompute_seconds"),
-            .bytes_per_vertex = size(json.at("bytes_per_vertex")),
-            .bytes_per_light = size(json.at("bytes_per_light")),
+            .bytes_per_vertex = json.at("bytes_per_vertex").size(),
+            .bytes_per_light = json.at("bytes_per_light").size(),
             .frame_ms = spread(json.at("frame_ms")),
             .resting_ms = spread(json.at("resting_ms")),
             .to_bare = spread(json.at("to_bare")),
@@ -95,7 +91,7 @@ Row row_of(const JsonPlace& json) {
 }
 
 Choice choice_of(const JsonPlace& json, std::size_t rows) {
-    Choice choice{.row = size(json.at("row")),
+    Choice choice{.row = json.at("row").size(),
                   .why = json.at("why").text(),
                   .left_out = json.at("left_out").text(),
                   .predicted = json.at("predicted").number(),
@@ -122,8 +118,8 @@ SceneCost scene_cost(const JsonPlace& json) {
     SceneCost scene{.id = id(json.at("id")),
                     .label = json.at("label").text(),
                     .model = json.at("model").text(),
-                    .vertices = size(json.at("vertices")),
-                    .triangles = size(json.at("triangles")),
+                    .vertices = json.at("vertices").size(),
+                    .triangles = json.at("triangles").size(),
                     .frame_width = json.at("frame_width").count(),
                     .frame_height = json.at("frame_height").count(),
                     .lights = {},

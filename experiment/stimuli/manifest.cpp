@@ -62,9 +62,8 @@ Json to_json(const protocols::Picture& picture, const PictureRecord& record) {
 }
 
 ModelRecord model_record(const JsonPlace& json) {
-    return {json.at("file").text(), json.at("sha256").text(),
-            static_cast<std::size_t>(json.at("vertices").count()),
-            static_cast<std::size_t>(json.at("triangles").count())};
+    return {json.at("file").text(), json.at("sha256").text(), json.at("vertices").size(),
+            json.at("triangles").size()};
 }
 
 BrightnessRecord brightness_record(const JsonPlace& json) {
@@ -96,7 +95,7 @@ PictureRecord picture_record(const JsonPlace& json) {
     record.precompute_seconds = number_if_there(json, "precompute_seconds");
     record.frame_milliseconds = number_if_there(json, "frame_milliseconds");
     if (json.has("bytes_per_vertex"))
-        record.bytes_per_vertex = static_cast<std::size_t>(json.at("bytes_per_vertex").count());
+        record.bytes_per_vertex = json.at("bytes_per_vertex").size();
     record.decision = text_if_there(json, "decision");
     record.predicted_change = number_if_there(json, "predicted_change");
     record.measured_change = number_if_there(json, "measured_change");

@@ -37,10 +37,6 @@ Expected<renderer::Material> measured(const std::string& name) {
                                       fmt::join(renderer::measured_names(), ", ")));
 }
 
-bool is_study(const fs::path& path) {
-    return path.extension() == ".toml" || fs::exists(StudyFolder{path}.study_file());
-}
-
 void add_conditions(const protocols::Study& study, Exhibit& exhibit) {
     std::vector<std::string> own;
     for (const auto& condition : study.conditions)

@@ -1,4 +1,4 @@
-// Phong and Green need nothing from a vertex but its place.
+// For the methods that need nothing from a vertex but its place and normal.
 
 void main() {
     place_vertex();

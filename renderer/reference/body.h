@@ -19,7 +19,7 @@ struct Stretch {
     double end = 0;
 };
 
-/// The length of all of them.
+/// The length of all of them, which do not overlap; in the body's units.
 double covered_by(std::span<const Stretch> stretches);
 
 /// Asks one body about rays, one at a time; every thread has its own.  Answers depend on the

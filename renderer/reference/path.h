@@ -1,9 +1,9 @@
-// What a path of light carries, in all channels at once.
+// What a path of light carries: all channels are followed at once.
 //
-// All channels are followed at once.  Distances are drawn for one of them, the hero, chosen once
-// per path; `ratio` keeps how probable the same path would have been under each other hero, and the
-// weight of a channel is divided by the mean of the three: the balance heuristic over whole paths.
-// [Wilkie2014] [Miller2019]  Weights then never exceed three times those of a walk in one colour.
+// Distances are drawn for one of them, the hero, chosen once per path; `ratio` keeps how probable
+// the same path would have been under each other hero, and the weight of a channel is divided by
+// the mean of the three: the balance heuristic over whole paths. [Wilkie2014] [Miller2019]  Weights
+// then never exceed three times those of a walk in one colour.
 #pragma once
 
 #include "renderer/reference/medium.h"
@@ -24,7 +24,7 @@ constexpr Spectrum<N> all_ones() {
 /// The last turn at which a connection to the light was possible.  Few paths end in a light, so
 /// that the medium's density is left to be worked out by who needs it.
 struct Turn {
-    enum class By { Nothing, Medium, Surface };
+    enum class By { Nothing, Medium, Surface }; ///< Nothing: no light could be asked for
     By by = By::Nothing;
     double cosine = 1;  ///< By::Medium: of the angle turned by
     double density = 0; ///< By::Surface: per steradian
@@ -58,7 +58,7 @@ double balance(Path<N>& path) {
 }
 
 /// Multiplies the weight of each channel by f_k / p_h, its ratio by p_k / p_h.  Returns the weight
-/// it would have for `other` instead of `f`.
+/// it would have for `other` instead of `f`.  p of the hero is above 0: it drew what happened.
 template <std::size_t N>
 Spectrum<N>
 advance(Path<N>& path, const Spectrum<N>& f, const Spectrum<N>& p, const Spectrum<N>& other) {

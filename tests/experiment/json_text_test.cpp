@@ -79,7 +79,12 @@ TEST(JsonText, NamesTheWayToWhatIsNotWhatIsWanted) {
     EXPECT_EQ(misfit("{\"a\": 1.5}", [](const JsonPlace& j) { j.at("a").count(); }),
               "f.json:1: a is 1.5, expected a whole number from 0; mend it");
     EXPECT_EQ(misfit("{\"a\": 99999999999}", [](const JsonPlace& j) { j.at("a").count(); }),
-              "f.json:1: a is 99999999999, expected a whole number from 0; mend it");
+              "f.json:1: a is 99999999999, expected a whole number from 0 to 2147483647; mend it");
+    EXPECT_EQ(misfit("{\"a\": 99999999999}",
+                     [](const JsonPlace& j) { EXPECT_EQ(j.at("a").size(), 99999999999U); }),
+              "");
+    EXPECT_EQ(misfit("{\"a\": -1}", [](const JsonPlace& j) { j.at("a").size(); }),
+              "f.json:1: a is -1, expected a whole number from 0; mend it");
     EXPECT_EQ(misfit("{\"a\": null}", [](const JsonPlace& j) { j.at("a").number(); }),
               "f.json:1: a is null, expected a number; mend it");
 }

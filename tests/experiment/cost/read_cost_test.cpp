@@ -36,6 +36,15 @@ TEST(ReadCost, GivesBackWhatWasWritten) {
     EXPECT_EQ(*again, report);
 }
 
+// Peeled maps of a light, or the mesh of a large scan, take more than 2 GiB.
+TEST(ReadCost, GivesBackMoreBytesThanAnIntHolds) {
+    auto report = with_choice();
+    report.scenes[0].rows[0].bytes_per_light = 3'221'225'472;
+    const auto again = parse_cost(cost_json(report), "cost.json");
+    ASSERT_TRUE(again) << again.error();
+    EXPECT_EQ(*again, report);
+}
+
 TEST(ReadCost, SaysWhatIsWrongWithAFile) {
     EXPECT_EQ(parse_cost("{", "c.json").error(),
               "c.json:1: the JSON ends before it is complete; expected a cost.json as it was "
