@@ -29,7 +29,7 @@ fs::path spelled(const fs::path& path) {
 
 bool is_same_file(const fs::path& path, const fs::path& input) {
     std::error_code ignored;
-    if (input.empty() || !fs::exists(input, ignored))
+    if (input.empty())
         return false;
     return fs::exists(path, ignored) ? fs::equivalent(path, input, ignored)
                                      : spelled(path) == spelled(input);

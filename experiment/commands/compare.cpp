@@ -76,7 +76,7 @@ Maps maps_of(const Options& options) {
     return {options.maps + "-flip.png", options.maps + "-ssim.png", options.maps + "-relative.png"};
 }
 
-/// Neither a picture that was compared nor, by the measures, one of the maps.
+/// Neither a picture that was compared nor, to the measures, one of the maps that are to be made.
 void expect_nothing_lost(const Options& options) {
     Inputs kept{options.picture, options.reference, options.mask};
     if (!options.maps.empty()) {

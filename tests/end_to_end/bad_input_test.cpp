@@ -251,7 +251,7 @@ TEST_F(BadInput, WritesNoResultOverAnyOfItsSources) {
 TEST_F(BadInput, WritesNoResultOverAPictureItWasMadeFrom) {
     const auto at = [&](const char* name) { return (folder / name).string(); };
     for (const auto* name : {"a.png", "m.png", "x-flip.png", "x-ssim.png", "x-relative.png"})
-        ASSERT_EQ(run({"convert", "-size", "16x16", "xc:gray", at(name)}).status, 0);
+        ASSERT_EQ(run({"convert", "-size", "16x16", "xc:yellow", "png24:" + at(name)}).status, 0);
     for (const auto* name : {"a.png", "x-flip.png", "m.png"})
         expect_kept(folder / name, {"compare", at("a.png"), at("x-flip.png"), "--mask", at("m.png"),
                                     "--json", at(name)});
