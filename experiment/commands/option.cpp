@@ -165,12 +165,13 @@ Option Option::not_standard_output() {
 }
 
 Option Option::existing_folder() {
-    option_->check([](const std::string& input) {
+    const auto refuse = [](const std::string& input) {
         std::error_code ignored;
         return std::filesystem::is_directory(input, ignored)
                    ? std::string()
                    : fmt::format("{} is not a folder that is there", input);
-    });
+    };
+    option_->check(refuse, "DIR");
     return *this;
 }
 
