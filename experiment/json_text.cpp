@@ -99,7 +99,9 @@ class Builder {
 
     bool boolean(bool truth) { return take(truth); }
 
-    bool number_integer(std::int64_t number) { return take(number); }
+    bool number_integer(std::int64_t number) {
+        return number < 0 ? take(number) : take(static_cast<std::uint64_t>(number)); // -0 is 0
+    }
 
     bool number_unsigned(std::uint64_t number) { return take(number); }
 

@@ -11,8 +11,10 @@
 namespace commands = experiment::commands;
 
 int main(int argc, char** argv) {
-    commands::CommandLine line("pairlight", "Pairlight: which rendering do people find more "
-                                            "realistic, by how much, and how sure is that?");
+    commands::CommandLine line("pairlight",
+                               "Pairlight: which rendering do people find more "
+                               "realistic, by how much, and how sure is that?",
+                               PAIRLIGHT_PROGRAM_VERSION);
     auto program = line.program();
     // clang-format off
     for (const auto add : {

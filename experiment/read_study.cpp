@@ -82,6 +82,15 @@ tl::expected<LoadedStudy, std::string> read_study(const fs::path& path) {
     return LoadedStudy{folder, std::move(*study), protocols::sha256_hexadecimal(*text)};
 }
 
+std::vector<fs::path> files_of(const LoadedStudy& loaded) {
+    const auto& [folder, study, digest] = loaded;
+    std::vector<fs::path> files{folder.study_file(), folder.root / study.instructions.file,
+                                folder.manifest(), folder.votes()};
+    if (study.display.eotf.kind == protocols::Eotf::Kind::Measured)
+        files.push_back(folder.root / study.display.eotf.file);
+    return files;
+}
+
 tl::expected<std::string, std::string> read_instructions(const LoadedStudy& loaded) {
     const auto file = loaded.folder.root / loaded.study.instructions.file;
     auto text = read_text_file(file);

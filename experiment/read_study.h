@@ -25,6 +25,9 @@ protocols::KnownNames known_names();
 /// Errors: one line with file, line and remedy.
 tl::expected<LoadedStudy, std::string> read_study(const std::filesystem::path& path);
 
+/// Its own files, whether they are there or not: the study file, and what is read because of it.
+std::vector<std::filesystem::path> files_of(const LoadedStudy& loaded);
+
 /// The instructions' text.  Errors: the file is missing, empty or not UTF-8.
 tl::expected<std::string, std::string> read_instructions(const LoadedStudy& loaded);
 

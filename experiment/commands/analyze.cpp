@@ -6,6 +6,7 @@
 #include "experiment/commands/command_line.h"
 #include "experiment/commands/commands.h"
 #include "experiment/commands/steps.h"
+#include "experiment/read_study.h"
 #include "experiment/store/screened.h"
 #include "experiment/text_files.h"
 
@@ -90,6 +91,12 @@ std::string informal_line(const VoteSource& votes) {
                : "";
 }
 
+Inputs inputs_of(const Options& options, const VoteSource& votes) {
+    auto files = votes.study ? files_of(*votes.study) : Inputs{};
+    files.insert(files.end(), {options.source, options.groups});
+    return files;
+}
+
 void run(Options& options) {
     auto votes = value_or_stop(
         read_votes(options.source, options.format,
@@ -102,7 +109,7 @@ void run(Options& options) {
     check_groups(votes.table, options);
     const auto findings = findings_of(votes, options.analysis);
     if (!options.json.empty())
-        deliver(analysis::findings_json(findings), options.json, options.source);
+        deliver(analysis::findings_json(findings), options.json, inputs_of(options, votes));
     if (options.voice.says_text_beside(options.json))
         fmt::print("{}{}", analysis::findings_text(findings), informal_line(votes));
 }

@@ -58,7 +58,7 @@ void run(const Options& options) {
     if (!analysis)
         throw CommandError(options.table + ": " + analysis.error());
     if (!options.json.empty())
-        deliver(anova::table_json(*analysis, options.table), options.json, options.table);
+        deliver(anova::table_json(*analysis, options.table), options.json, {options.table});
     if (options.voice.says_text_beside(options.json))
         fmt::print("{}", anova::table_text(*analysis));
 }

@@ -21,20 +21,18 @@ namespace {
 constexpr std::array<std::string_view, 4> kept_by_studies{"study.toml", "instructions.md",
                                                           "votes.sqlite", "manifest.json"};
 
-void refuse_to_overwrite(const fs::path& path, const fs::path& input) {
+/// A folder on the way that is not there yet will be made: then the words alone say what it is.
+fs::path spelled(const fs::path& path) {
     std::error_code ignored;
-    // A folder on the way that is not there yet will be made: then the words alone say what it is.
-    const auto spelled = [&](const fs::path& p) {
-        return fs::weakly_canonical(fs::absolute(p, ignored).lexically_normal(), ignored);
-    };
-    const bool is_input =
-        !input.empty() && ((fs::exists(path, ignored) && fs::equivalent(path, input, ignored)) ||
-                           (fs::exists(input, ignored) && spelled(path) == spelled(input)));
-    const bool is_kept = fs::exists(path, ignored) &&
-                         std::ranges::count(kept_by_studies, path.filename().string()) > 0;
-    if (is_input || is_kept)
-        throw CommandError(
-            fmt::format("{}: would be written over and lost; name another file", path.string()));
+    return fs::weakly_canonical(fs::absolute(path, ignored).lexically_normal(), ignored);
+}
+
+bool is_same_file(const fs::path& path, const fs::path& input) {
+    std::error_code ignored;
+    if (input.empty())
+        return false;
+    return fs::exists(path, ignored) ? fs::equivalent(path, input, ignored)
+                                     : spelled(path) == spelled(input);
 }
 
 } // namespace
@@ -56,12 +54,23 @@ bool is_standard_output(const std::string& path) {
     return path.empty() || path == "-";
 }
 
-void deliver(const std::string& text, const std::string& path, const std::string& input) {
+void expect_not_lost(const fs::path& path, const Inputs& inputs) {
+    std::error_code ignored;
+    const bool is_input = std::ranges::any_of(
+        inputs, [&](const fs::path& input) { return is_same_file(path, input); });
+    const bool is_kept = fs::exists(path, ignored) &&
+                         std::ranges::count(kept_by_studies, path.filename().string()) > 0;
+    if (is_input || is_kept)
+        throw CommandError(
+            fmt::format("{}: would be written over and lost; name another file", path.string()));
+}
+
+void deliver(const std::string& text, const std::string& path, const Inputs& inputs) {
     if (is_standard_output(path)) {
         fmt::print("{}", text);
         return;
     }
-    refuse_to_overwrite(path, input);
+    expect_not_lost(path, inputs);
     value_or_stop(write_text_file(path, text));
 }
 

@@ -3,8 +3,10 @@
 
 #include <tl/expected.hpp>
 
+#include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace experiment::commands {
 
@@ -43,9 +45,16 @@ void add_voice(Command& command, Voice& voice);
 /// Whether `path` stands for no file: empty, or "-".
 bool is_standard_output(const std::string& path);
 
+/// Files that a result is made from.
+using Inputs = std::vector<std::filesystem::path>;
+
+/// That nothing is lost where the file `path` is written.
+/// Errors: CommandError for one of `inputs`, by whatever name, and for what a study folder keeps
+/// (study.toml, votes.sqlite, ...).
+void expect_not_lost(const std::filesystem::path& path, const Inputs& inputs);
+
 /// Writes a result to the file `path`, or to standard output (`is_standard_output`).
-/// Errors: CommandError for a file that cannot be written, and for one that would be lost: `input`,
-/// which the result was made from, and what a study folder keeps (study.toml, votes.sqlite, ...).
-void deliver(const std::string& text, const std::string& path, const std::string& input);
+/// Errors: those of `expect_not_lost`, and CommandError for a file that cannot be written.
+void deliver(const std::string& text, const std::string& path, const Inputs& inputs);
 
 } // namespace experiment::commands

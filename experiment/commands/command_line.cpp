@@ -11,6 +11,43 @@
 
 namespace experiment::commands {
 
+namespace {
+
+// What is asked of the values of each type that an option may hold.
+
+void ask_for_kind(Option option, const int&) {
+    option.holds_int();
+}
+
+void ask_for_kind(Option option, const std::uint64_t&) {
+    option.holds_unsigned();
+}
+
+void ask_for_kind(Option option, const double&) {
+    option.holds_number();
+}
+
+void ask_for_kind(Option option, const std::string&) {
+    option.holds_text();
+}
+
+template <class T, std::size_t count>
+void ask_for_kind(Option option, const std::array<T, count>&) {
+    ask_for_kind(option, T{});
+}
+
+template <class T>
+void ask_for_kind(Option option, const std::optional<T>&) {
+    ask_for_kind(option, T{});
+}
+
+template <class T>
+void ask_for_kind(Option option, const std::vector<T>&) {
+    ask_for_kind(option, T{});
+}
+
+} // namespace
+
 std::string Command::name() const {
     return app_->get_name();
 }
@@ -20,8 +57,13 @@ Command Command::add_command(const char* name, const char* description) {
 }
 
 Option Command::add_option_at(const char* name, Place place, const char* description) {
-    return Option(std::visit(
-        [&](auto* value) { return app_->add_option(name, *value, description); }, place));
+    return std::visit(
+        [&](auto* value) {
+            const Option option(app_->add_option(name, *value, description));
+            ask_for_kind(option, *value);
+            return option;
+        },
+        place);
 }
 
 Option Command::add_word(const char* name,
@@ -30,6 +72,7 @@ Option Command::add_word(const char* name,
                          const std::vector<std::string>& words) {
     return Option(app_->add_option_function<std::string>(name, take, description))
         .shown_as("ENUM")
+        .holds_text()
         .one_of(words);
 }
 
@@ -63,8 +106,9 @@ void Command::expect_not_given(std::initializer_list<const char*> options,
             throw CommandError(fmt::format("{}: {}", option, why));
 }
 
-CommandLine::CommandLine(const char* name, const char* description)
+CommandLine::CommandLine(const char* name, const char* description, const char* version)
     : app_(std::make_unique<CLI::App>(description, name)) {
+    app_->set_version_flag("--version", version, "Print the version and end");
     app_->require_subcommand(1); // which commands inherit: at most one of their own
 }
 
@@ -83,7 +127,7 @@ int CommandLine::run(std::span<const char* const> words) {
         return app_->exit(help);
     } catch (const CLI::ParseError& error) {
         fmt::print(stderr, "pairlight: {}\n", complaint_of(*app_, error));
-        return error.get_exit_code();
+        return EXIT_FAILURE;
     }
     return EXIT_SUCCESS;
 }

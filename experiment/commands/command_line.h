@@ -93,7 +93,8 @@ class Command {
 /// The program with all its commands.
 class CommandLine {
   public:
-    CommandLine(const char* name, const char* description);
+    /// `version` is what --version prints.
+    CommandLine(const char* name, const char* description, const char* version);
     ~CommandLine();
 
     Command program();

@@ -68,7 +68,28 @@ std::optional<imaging::ImageErrors> noise_floor(const std::string& file,
     return value_or_stop(imaging::image_errors(even, odd, mask, settings));
 }
 
-void write_map(const imaging::Plane& values, double low, double high, const std::string& file) {
+struct Maps {
+    fs::path flip, structure, relative;
+};
+
+Maps maps_of(const Options& options) {
+    return {options.maps + "-flip.png", options.maps + "-ssim.png", options.maps + "-relative.png"};
+}
+
+/// Neither a picture that was compared nor, to the measures, one of the maps that are to be made.
+void expect_nothing_lost(const Options& options) {
+    Inputs kept{options.picture, options.reference, options.mask};
+    if (!options.maps.empty()) {
+        const auto [flip, structure, relative] = maps_of(options);
+        for (const auto& map : {flip, structure, relative})
+            expect_not_lost(map, kept);
+        kept.insert(kept.end(), {flip, structure, relative});
+    }
+    if (!is_standard_output(options.json))
+        expect_not_lost(options.json, kept);
+}
+
+void write_map(const imaging::Plane& values, double low, double high, const fs::path& file) {
     value_or_stop(
         imaging::write_png(file, imaging::encode_16bit(imaging::error_map(values, low, high))));
 }
@@ -77,12 +98,12 @@ void write_map(const imaging::Plane& values, double low, double high, const std:
 void write_maps(const Options& options,
                 const imaging::LinearImage& picture,
                 const imaging::LinearImage& reference) {
-    write_map(imaging::ldr_flip(picture, reference, options.pixels_per_degree), 0, 1,
-              options.maps + "-flip.png");
+    const auto maps = maps_of(options);
+    write_map(imaging::ldr_flip(picture, reference, options.pixels_per_degree), 0, 1, maps.flip);
     auto structure = imaging::ssim_map(picture, reference);
     for (auto& value : structure.values)
         value = 1 - value;
-    write_map(structure, 0, 1, options.maps + "-ssim.png");
+    write_map(structure, 0, 1, maps.structure);
     imaging::Plane relative(picture.width, picture.height);
     for (std::size_t i = 0; i < relative.values.size(); ++i) {
         const auto &x = picture.pixels[i], &y = reference.pixels[i];
@@ -93,7 +114,7 @@ void write_maps(const Options& options,
         relative.values[i] = static_cast<float>(
             std::sqrt((square(x.r, y.r) + square(x.g, y.g) + square(x.b, y.b)) / 3));
     }
-    write_map(relative, 0, 1, options.maps + "-relative.png");
+    write_map(relative, 0, 1, maps.relative);
 }
 
 void run(const Options& options) {
@@ -112,10 +133,11 @@ void run(const Options& options) {
     comparison.noise_floor = noise_floor(options.reference, mask, settings);
     settings.brightness = imaging::Brightness::Equalised;
     comparison.equalised = value_or_stop(imaging::image_errors(picture, reference, mask, settings));
+    expect_nothing_lost(options);
     if (!options.maps.empty())
         write_maps(options, picture, reference);
     if (!options.json.empty())
-        deliver(errors_json(comparison), options.json, options.picture);
+        deliver(errors_json(comparison), options.json, {});
     if (options.voice.says_text_beside(options.json))
         fmt::print("{}", errors_text(comparison));
 }

@@ -126,9 +126,6 @@ cost::Wish wish_of(const Options& options) {
 }
 
 void refuse_what_changes_nothing(const Options& options, const Command& command) {
-    if (options.subject.empty())
-        throw CommandError("\"\": expected a study's folder or file, or a model file, a model's "
-                           "name or a body");
     if (!options.earlier.empty())
         command.expect_not_given({"--scene", "--variant", "--material", "--diameter-mm",
                                   "--turn-degrees", "--up", "--to-light", "--frame-size", "--holes",
@@ -162,10 +159,13 @@ void check(const Options& options, const std::vector<protocols::Scene>& scenes) 
 /// Earlier runs in one report, chosen from again.
 cost::CostReport put_together(const Options& options, const std::string& subject) {
     std::vector<cost::EarlierRun> runs;
-    for (const auto& file : options.earlier)
+    for (const auto& file : options.earlier) {
+        if (fs::is_directory(file))
+            throw CommandError(fmt::format("--from {}: is a folder; name its cost.json", file));
         runs.push_back({file, value_or_stop(read_text_file(file).and_then([&](const auto& text) {
                             return cost::parse_cost(text, file);
                         }))});
+    }
     value_or_stop(cost::expect_subject(runs, subject, options.subject));
     auto whole = value_or_stop(cost::together(runs));
     cost::choose_again(whole, wish_of(options));
@@ -183,6 +183,8 @@ void keep_other_measurements(const Options& options, const fs::path& folder) {
             fmt::format("{}: holds measurements that are in none of --from and would "
                         "be lost; name another folder with --out",
                         there.string()));
+    for (const auto* made_from_it : {"cost.csv", "cost.html"})
+        expect_not_lost(folder / made_from_it, {options.earlier.begin(), options.earlier.end()});
 }
 
 void tell(const Options& options, const fs::path& folder, const cost::CostReport& report) {
@@ -306,6 +308,7 @@ void add_cost(Command& program) {
     command
         .add_option("STUDY|MODEL", options->subject,
                     "A study; or a model file, a model's name or a body")
+        .not_blank("a study's folder or file, or a model file, a model's name or a body")
         .required();
     command.add_option("--scene", options->scenes, "Scenes of the study; without it, all");
     command.add_option("--variant", options->variants, "Variants to measure; without it, all");

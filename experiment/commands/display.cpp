@@ -5,6 +5,7 @@
 #include "experiment/commands/sittings.h"
 #include "experiment/commands/stimulus_files.h"
 #include "experiment/stimuli/freshness.h"
+#include "experiment/stimuli/scene_renderer.h"
 #include "experiment/text_files.h"
 #include "protocols/calibration.h"
 #include "protocols/schedule.h"
@@ -197,17 +198,26 @@ void run_pages(const Options& options) {
     auto window =
         window_options(loaded, {.size = window_size(options.window), .monitor = options.monitor});
     window.setting_up = true;
-    const auto screen = value_or_stop(session::open_window(
-        window, load_unchanged(loaded, value_or_stop(stimulus_digests(loaded))), clock));
+    const auto digests = value_or_stop(stimulus_digests(loaded));
+    const auto screen =
+        value_or_stop(session::open_window(window, load_unchanged(loaded, digests), clock));
     const auto views = all_views(loaded, screen->facts());
     std::error_code failed;
     fs::create_directories(options.folder, failed);
     if (failed)
         throw CommandError(fmt::format("{}: cannot be made: {}", options.folder, failed.message()));
+    Inputs shown;
+    for (const auto& [picture, digest] : digests)
+        shown.push_back(stimuli::png_file(loaded.folder, picture));
+    const auto page_file = [&](const std::string& name) {
+        return fs::path(options.folder) / (name + ".png");
+    };
+    for (const auto& [name, view] : views)
+        expect_not_lost(page_file(name), shown);
     for (const auto& [name, view] : views) {
         value_or_stop(screen->show(view));
-        write_photograph(fs::path(options.folder) / (name + ".png"), screen->photograph());
-        fmt::print("{}\n", (fs::path(options.folder) / (name + ".png")).string());
+        write_photograph(page_file(name), screen->photograph());
+        fmt::print("{}\n", page_file(name).string());
     }
 }
 

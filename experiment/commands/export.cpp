@@ -17,12 +17,9 @@ namespace {
 
 enum class Form { Long, Matrices, Scores, Pwcmp, Pairs, PairedComparison, Sureal };
 
-std::string exported(const std::string& study, Form form) {
-    if (form == Form::Long)
-        return long_csv(value_or_stop(stored_votes(value_or_stop(read_study(study)))));
-    const auto votes = value_or_stop(read_votes(study));
+std::string exported(const VoteSource& votes, Form form) {
     switch (form) {
-    case Form::Long: // answered above, from the store's own rows
+    case Form::Long: // by `export_votes`, from the store's own rows
     case Form::Matrices:
         return analysis::vote_matrices_csv(votes.table);
     case Form::Scores:
@@ -37,6 +34,15 @@ std::string exported(const std::string& study, Form form) {
         return value_or_stop(analysis::formats::sureal_script(votes.table));
     }
     return {};
+}
+
+void export_votes(const std::string& study, Form form, const std::string& file) {
+    if (form == Form::Long) {
+        const auto loaded = value_or_stop(read_study(study));
+        return deliver(long_csv(value_or_stop(stored_votes(loaded))), file, files_of(loaded));
+    }
+    const auto votes = value_or_stop(read_votes(study));
+    deliver(exported(votes, form), file, votes.study ? files_of(*votes.study) : Inputs{study});
 }
 
 } // namespace
@@ -70,8 +76,7 @@ void add_export(Command& program) {
                        "The file to write; without it, or with -, standard output");
     add_voice(command, options->voice);
     command.runs([options] {
-        const auto table = exported(options->study, options->form);
-        deliver(table, options->csv, options->study);
+        export_votes(options->study, options->form, options->csv);
         if (!is_standard_output(options->csv))
             options->voice.remark(options->csv + ": written");
     });

@@ -41,15 +41,19 @@ using Targets = std::map<protocols::VariantId, renderer::imaging::LinearImage>;
 Targets read_targets(const Options& options,
                      const LoadedStudy& loaded,
                      const Scene& scene,
-                     const std::vector<Variant>& variants) {
+                     const std::vector<Variant>& variants,
+                     Inputs& inputs) {
     Targets targets;
     for (const auto& variant : variants) {
         const auto file = fs::path(options.targets) / scene.id.value / (variant.id.value + ".exr");
         if (!fs::exists(file))
-            throw CommandError(fmt::format(
-                "{0}: is not there; the reference is made by `pairlight reference {1} --scene {2} "
-                "--variant {3} --out {0}`",
-                file.string(), options.study, scene.id.value, variant.id.value));
+            throw CommandError(
+                fmt::format("{0}: is not there; the reference is made by `pairlight reference {1} "
+                            "--scene {2}{3} "
+                            "--out {0}`",
+                            file.string(), options.study, scene.id.value,
+                            variant.id.value.empty() ? "" : " --variant " + variant.id.value));
+        inputs.push_back(file);
         auto target = value_or_stop(renderer::imaging::read_exr(file));
         if (target.width != loaded.study.width || target.height != loaded.study.height)
             throw CommandError(fmt::format("{}: {} x {} pixels, expected {} x {} as in the study",
@@ -60,10 +64,12 @@ Targets read_targets(const Options& options,
     return targets;
 }
 
-std::vector<Fit> fit_scene(const Options& options, const LoadedStudy& loaded, const Scene& scene) {
+std::vector<Fit>
+fit_scene(const Options& options, const LoadedStudy& loaded, const Scene& scene, Inputs& inputs) {
     const auto variants = shown_variants(loaded.study);
-    const auto targets = read_targets(options, loaded, scene, variants);
+    const auto targets = read_targets(options, loaded, scene, variants, inputs);
     auto model = value_or_stop(load_model(scene, loaded.folder));
+    inputs.push_back(model.file);
     ProgressBar bar(scene.id.value, !options.voice.quiet);
     auto renderer = value_or_stop(stimuli::SceneRenderer::prepare(
         loaded.study, scene, std::move(model), 4, [&](double fraction) { bar.update(fraction); }));
@@ -130,13 +136,14 @@ void run(Options& options) {
     if (options.targets.empty())
         options.targets = (loaded.folder.root / "reference").string();
     const auto context = value_or_stop(renderer::gpu::Context::surfaceless());
+    auto inputs = files_of(loaded);
     std::string text;
     auto json = nlohmann::ordered_json::array();
     for (const auto& scene : loaded.study.scenes) {
         if (!options.scenes.empty() &&
             std::ranges::find(options.scenes, scene.id.value) == options.scenes.end())
             continue;
-        for (const auto& fit : fit_scene(options, loaded, scene)) {
+        for (const auto& fit : fit_scene(options, loaded, scene, inputs)) {
             text += as_toml(fit);
             json.push_back(to_json(fit));
         }
@@ -144,7 +151,7 @@ void run(Options& options) {
     if (options.json.empty())
         fmt::print("{}", text);
     else
-        deliver(json.dump(1) + "\n", options.json, options.study);
+        deliver(json.dump(1) + "\n", options.json, inputs);
 }
 
 } // namespace

@@ -83,6 +83,7 @@ Imported from_codes(const fs::path& file, const Options& options) {
 void run(const Options& options) {
     const auto loaded = value_or_stop(read_study(options.study));
     std::vector<std::pair<protocols::Picture, Imported>> pictures;
+    Inputs sources;
     std::string record = "picture\tsource\tsource_sha256\thow\n";
     for (const auto& scene : loaded.study.scenes)
         for (const auto& variant : shown_variants(loaded.study))
@@ -91,6 +92,7 @@ void run(const Options& options) {
                     continue;
                 const protocols::Picture picture{scene.id, variant.id, condition.id};
                 const auto file = source_of(options.from, picture);
+                sources.push_back(file);
                 value_or_stop(stimuli::expect_size(loaded, picture, file));
                 auto imported = file.extension() == ".exr" ? from_light(file, options)
                                                            : from_codes(file, options);
@@ -100,6 +102,8 @@ void run(const Options& options) {
                                 imported.how);
                 pictures.emplace_back(picture, std::move(imported));
             }
+    for (const auto& [picture, imported] : pictures)
+        expect_not_lost(stimuli::png_file(loaded.folder, picture), sources);
     // Only now that all of them can be taken is anything written.
     for (const auto& [picture, imported] : pictures) {
         const auto file = stimuli::png_file(loaded.folder, picture);

@@ -16,6 +16,17 @@ class Option {
   public:
     explicit Option(CLI::Option* option) : option_(option) {}
 
+    /// What each value of a kind has to be; an option that holds such values asks for it itself.
+    /// Whole numbers are decimal, with leading zeros or without.
+    Option holds_int();
+    Option holds_unsigned();
+    Option holds_number();
+    /// Empty text is refused, for it would be as good as no option.
+    Option holds_text();
+
+    /// Empty text has a meaning of its own.
+    Option may_be_empty();
+
     Option required();
     Option excludes(Option other);
 
@@ -34,7 +45,7 @@ class Option {
     /// One of `words`; to whoever misspells one, the nearest is offered.
     Option one_of(const std::vector<std::string>& words);
 
-    /// Something other than blanks: "expected <wanted>".
+    /// Something other than blanks: "expected <wanted>", which says more than "a text".
     Option not_blank(const std::string& wanted);
 
     /// A folder, or what the names of several files begin with: "-" is standard output, which is
@@ -44,6 +55,8 @@ class Option {
     Option existing_folder();
 
   private:
+    void drop_text_check();
+
     CLI::Option* option_;
 };
 

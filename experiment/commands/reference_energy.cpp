@@ -33,6 +33,7 @@ struct Options {
     std::string boundary;
     std::string model;
     std::string json;
+    Inputs read; ///< on the way to the result
     Voice voice;
 };
 
@@ -63,8 +64,9 @@ void refuse_what_changes_nothing(const Options& options,
 }
 
 /// The optical thickness is that of the bounding sphere's radius, as a sphere's is.
-reference::EnergyBalance furnace(const Options& options, const reference::EnergyProblem& problem) {
+reference::EnergyBalance furnace(Options& options, const reference::EnergyProblem& problem) {
     const auto model = value_or_stop(load_model(options.model, StudyFolder{"."}));
+    options.read.push_back(model.file);
     for (const auto& remark : model.remarks)
         options.voice.remark(remark);
     const auto bounds = renderer::geometry::bounding_sphere(model.mesh);
@@ -74,7 +76,7 @@ reference::EnergyBalance furnace(const Options& options, const reference::Energy
                                   bounds.radius, medium, problem.boundary, options.run);
 }
 
-reference::EnergyBalance measured(const Options& options) {
+reference::EnergyBalance measured(Options& options) {
     auto problem = options.problem;
     problem.boundary = boundary_of(options);
     switch (options.shape) {
@@ -112,7 +114,7 @@ void print_text(const Options& options, const reference::EnergyBalance& balance,
     fmt::print("{} paths, {} leaks, {:.3g} s\n", balance.paths, balance.leaks, seconds);
 }
 
-void run(const Options& options) {
+void run(Options& options) {
     if (options.shape == EnergyShape::Furnace && options.problem.albedo == 1)
         options.voice.remark("without absorption every path comes out: expected is exactly 1");
     const renderer::Stopwatch watch;
@@ -120,7 +122,7 @@ void run(const Options& options) {
     const double seconds = watch.seconds();
     if (!options.json.empty())
         deliver(energy_json(balance, options.shape, options.problem.incidence, seconds),
-                options.json, options.model);
+                options.json, options.read);
     else
         print_text(options, balance, seconds);
 }

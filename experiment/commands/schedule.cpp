@@ -35,7 +35,7 @@ void add_schedule(Command& program) {
         const auto schedule = value_or_stop(protocols::make_schedule(
             loaded.study, {options->observer}, options->session,
             partner_of(loaded, {options->observer}, store::ObserverKind::Person)));
-        deliver(schedule_csv(schedule), options->csv, options->study);
+        deliver(schedule_csv(schedule), options->csv, files_of(loaded));
         options->voice.remark(fmt::format("Order: {}; generator {}, seed {}.", schedule.scene_rule,
                                           schedule.generator, schedule.order_seed));
     });

@@ -45,9 +45,11 @@ void add_session(Command& program) {
         .required();
     command.add_option("--session", options->session, "Which sitting; without it, the next one")
         .within(1, 1000);
-    command.add_option(
-        "--simulate", options->simulate,
-        "Vote by a simulated observer, such as \"scores=a:1,b:0;noise=1;seed=7\"; no window");
+    command
+        .add_option(
+            "--simulate", options->simulate,
+            "Vote by a simulated observer, such as \"scores=a:1,b:0;noise=1;seed=7\"; no window")
+        .may_be_empty();
     command.add_option("--window", options->window,
                        "A window of this size, such as 1280x720, not the full screen");
     command.add_option("--monitor", options->seat.monitor, "Which monitor; 1 is the primary one")

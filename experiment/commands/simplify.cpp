@@ -44,7 +44,7 @@ void run(const Options& options) {
     options.voice.remark(fmt::format("{} of {} triangles, {} of {} vertices",
                                      fewer->triangles.size(), model.mesh.triangles.size(),
                                      fewer->positions.size(), model.mesh.positions.size()));
-    deliver(renderer::geometry::off_text(*fewer), options.out, model.file.string());
+    deliver(renderer::geometry::off_text(*fewer), options.out, {model.file});
 }
 
 } // namespace

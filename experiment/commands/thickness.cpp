@@ -108,7 +108,7 @@ void add_thickness(Command& program) {
             options->voice.remark(remark);
         const auto values = measured(*options, model.mesh, directions);
         deliver(thickness_csv(model.mesh, directions.size(), values, options->mm_per_unit),
-                options->csv, options->directions);
+                options->csv, {model.file, options->directions});
     });
 }
 

@@ -6,9 +6,11 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <string_view>
+#include <optional>
+#include <set>
 #include <vector>
 
 namespace experiment::commands {
@@ -33,16 +35,16 @@ int values_needed(const CLI::Option& option) {
 }
 
 [[noreturn]] void refuse(const std::string& option,
-                         std::span<const char* const> given,
+                         std::span<const char* const> after,
+                         std::size_t given,
                          int needed,
                          const char* next) {
     std::string text = option;
-    for (const auto* value : given)
+    for (const auto* value : after)
         text += fmt::format(" {}", value);
     throw CommandError(fmt::format(
         "{}: {} given{}, expected {}", text,
-        given.empty() ? "no value"
-                      : fmt::format("{} value{}", given.size(), given.size() == 1 ? "" : "s"),
+        given == 0 ? "no value" : fmt::format("{} value{}", given, given == 1 ? "" : "s"),
         next == nullptr ? "" : fmt::format(" before {}", next), needed));
 }
 
@@ -51,28 +53,57 @@ std::size_t values_of(const CLI::App& app,
                       const CLI::Option& option,
                       const std::string& word,
                       std::span<const char* const> after) {
-    const int needed = word.find('=') == std::string::npos ? values_needed(option) : 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(needed); ++k)
+    const int needed = values_needed(option);
+    const auto equals = word.find('=');
+    const bool has_own = equals != std::string::npos;
+    if (has_own && needed == 0)
+        throw CommandError(fmt::format("{}: {} takes no value", word, word.substr(0, equals)));
+    if (has_own && equals + 1 == word.size())
+        refuse(word, {}, 0, needed, nullptr);
+    const auto missing = static_cast<std::size_t>(has_own ? needed - 1 : needed);
+    for (std::size_t k = 0; k < missing; ++k)
         if (k == after.size() || option_called(app, after[k]) != nullptr)
-            refuse(word, after.first(k), needed, k == after.size() ? nullptr : after[k]);
-    return static_cast<std::size_t>(needed);
+            refuse(word, after.first(k), k + (has_own ? 1 : 0), needed,
+                   k == after.size() ? nullptr : after[k]);
+    return missing;
 }
 
-/// "Could not convert: --rounds = 1.5" of the parser.
-std::string conversion_complaint(const CLI::App& command, const std::string& said) {
-    constexpr std::string_view before = "Could not convert: ", between = " = ";
-    const auto split = said.find(between);
-    if (!said.starts_with(before) || split == std::string::npos)
-        return said;
-    const auto name = said.substr(before.size(), split - before.size());
-    const auto value = said.substr(split + between.size());
-    const auto* option = command.get_option_no_throw(name);
-    const bool is_real =
-        option != nullptr && option->get_type_name().find("FLOAT") != std::string::npos;
-    return fmt::format("{}: {} is not {}", name, value,
-                       is_real ? "a number"
-                               : "a whole number it "
-                                 "takes");
+bool is_taken_once(const CLI::Option& option) {
+    return option.get_expected_max() <= 1;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const auto* option : command.get_options())
+        for (const auto& name : option->get_lnames())
+            names.push_back("--" + name);
+    return names;
+}
+
+/// The only name that begins like this, or the nearest.
+std::optional<std::string> name_meant(const std::string& word,
+                                      const std::vector<std::string>& names) {
+    const auto begins = [&](const std::string& name) { return name.starts_with(word); };
+    if (word.size() > 2 && std::ranges::count_if(names, begins) == 1)
+        return *std::ranges::find_if(names, begins);
+    return protocols::nearest_name(word, names);
+}
+
+/// Of the words that the parser had no place for; "" where there are none.
+std::string complaint_of_left_words(const CLI::App& program, const CLI::App& command) {
+    auto words = program.remaining(true);
+    std::erase(words, "--");
+    const auto option =
+        std::ranges::find_if(words, [](const auto& word) { return word.starts_with('-'); });
+    if (option != words.end()) {
+        const auto name = option->substr(0, option->find('='));
+        const auto meant = name_meant(name, option_names(command));
+        return fmt::format("there is no option '{}'{}", name,
+                           meant ? fmt::format(" (did you mean '{}'?)", *meant) : "");
+    }
+    return words.empty() ? ""
+                         : fmt::format("'{}': {} more than expected", fmt::join(words, " "),
+                                       words.size() == 1 ? "a word" : "words");
 }
 
 } // namespace
@@ -94,13 +125,17 @@ void expect_command(const CLI::App& program, std::span<const char* const> words)
 
 void expect_values(const CLI::App& program, std::span<const char* const> words) {
     const auto* app = &program;
+    std::set<const CLI::Option*> seen;
     for (std::size_t i = 1; i < words.size(); ++i) {
         const std::string word = words[i];
         if (word == "--")
             return;
-        if (const auto* option = option_called(*app, word))
+        if (const auto* option = option_called(*app, word)) {
             i += values_of(*app, *option, word, words.subspan(i + 1));
-        else if (const auto* command = command_called(*app, word))
+            if (!seen.insert(option).second && is_taken_once(*option))
+                throw CommandError(fmt::format("{}: given twice, expected it once",
+                                               word.substr(0, word.find('='))));
+        } else if (const auto* command = command_called(*app, word))
             app = command;
     }
 }
@@ -112,8 +147,10 @@ std::string complaint_of(const CLI::App& program, const CLI::ParseError& error) 
         command = command->get_subcommands().front();
         name += " " + command->get_name();
     }
+    const auto left = complaint_of_left_words(program, *command);
+    const bool is_of_a_value = dynamic_cast<const CLI::ValidationError*>(&error) != nullptr;
     return fmt::format("{}; `{} --help` lists the options",
-                       conversion_complaint(*command, error.what()), name);
+                       left.empty() || is_of_a_value ? error.what() : left, name);
 }
 
 } // namespace experiment::commands

@@ -16,24 +16,26 @@ namespace {
 
 using renderer::cost::Spread;
 
-Spread spread(const JsonPlace& json) {
-    const Spread spread{json.at("lower").number(), json.at("median").number(),
-                        json.at("upper").number()};
-    if (!(spread.lower >= 0 && spread.lower <= spread.median && spread.median <= spread.upper))
-        json.complain(fmt::format("lower, median and upper are {}, {} and {}, expected 0 <= lower "
-                                  "<= median <= upper",
-                                  spread.lower, spread.median, spread.upper));
-    return spread;
+/// From 0: times, errors and changes are no less.
+double amount(const JsonPlace& json) {
+    const double value = json.number();
+    if (!(value >= 0 && value < 1e30)) // no figure has room for more
+        json.refuse("a number from 0 to 1e30");
+    return value;
 }
 
-/// Absent, or a finite number from 0: times, errors and changes are no less.
-std::optional<double> amount(const JsonPlace& json, const char* key) {
-    if (!json.has(key))
-        return std::nullopt;
-    const double value = json.at(key).number();
-    if (!(value >= 0 && value < 1e30)) // no figure has room for more
-        json.at(key).refuse("a number from 0 to 1e30");
-    return value;
+std::optional<double> amount_if_there(const JsonPlace& json, const char* key) {
+    return json.has(key) ? std::optional(amount(json.at(key))) : std::nullopt;
+}
+
+Spread spread(const JsonPlace& json) {
+    const Spread spread{amount(json.at("lower")), amount(json.at("median")),
+                        amount(json.at("upper"))};
+    if (!(spread.lower <= spread.median && spread.median <= spread.upper))
+        json.complain(fmt::format("lower, median and upper are {}, {} and {}, expected lower <= "
+                                  "median <= upper",
+                                  spread.lower, spread.median, spread.upper));
+    return spread;
 }
 
 std::string one_of(const JsonPlace& json, const char* first, const char* second) {
@@ -56,14 +58,14 @@ std::string id(const JsonPlace& json) {
 }
 
 LightErrors light_errors(const JsonPlace& json) {
-    return {amount(json, "law"),
-            amount(json, "reference"),
-            amount(json, "fitted"),
-            amount(json, "as_drawn"),
-            amount(json, "flip"),
+    return {amount_if_there(json, "law"),
+            amount_if_there(json, "reference"),
+            amount_if_there(json, "fitted"),
+            amount_if_there(json, "as_drawn"),
+            amount_if_there(json, "flip"),
             json.has("decision") ? json.at("decision").text() : "",
-            amount(json, "predicted_change"),
-            amount(json, "measured_change")};
+            amount_if_there(json, "predicted_change"),
+            amount_if_there(json, "measured_change")};
 }
 
 Row row_of(const JsonPlace& json) {
@@ -74,14 +76,14 @@ Row row_of(const JsonPlace& json) {
             .vertices = json.at("vertices").size(),
             .triangles = json.at("triangles").size(),
             .mesh_bytes = json.at("mesh_bytes").size(),
-            .precompute_seconds = amount(json, "precompute_seconds"),
+            .precompute_seconds = amount_if_there(json, "precompute_seconds"),
             .bytes_per_vertex = json.at("bytes_per_vertex").size(),
             .bytes_per_light = json.at("bytes_per_light").size(),
             .frame_ms = spread(json.at("frame_ms")),
             .resting_ms = spread(json.at("resting_ms")),
             .to_bare = spread(json.at("to_bare")),
-            .clock_ms = json.at("clock_ms").number(),
-            .thickness = amount(json, "thickness"),
+            .clock_ms = amount(json.at("clock_ms")),
+            .thickness = amount_if_there(json, "thickness"),
             .lights = {}};
     for (const auto& [name, value] : json.at("dials").members())
         row.dials[name] = value.text();
@@ -94,8 +96,8 @@ Choice choice_of(const JsonPlace& json, std::size_t rows) {
     Choice choice{.row = json.at("row").size(),
                   .why = json.at("why").text(),
                   .left_out = json.at("left_out").text(),
-                  .predicted = json.at("predicted").number(),
-                  .measured = amount(json, "measured")};
+                  .predicted = amount(json.at("predicted")),
+                  .measured = amount_if_there(json, "measured")};
     if (choice.row >= rows)
         json.at("row").refuse(fmt::format("one of the {} rows, from 0", rows));
     return choice;
@@ -106,7 +108,7 @@ LightCase light_case(const JsonPlace& json, std::size_t rows) {
                     json.at("label").text(),
                     json.at("width").count(),
                     json.at("height").count(),
-                    amount(json, "noise_floor"),
+                    amount_if_there(json, "noise_floor"),
                     json.at("reference").text(),
                     {}};
     if (json.has("choice"))
@@ -146,7 +148,7 @@ Wish wish_of(const JsonPlace& json) {
     const auto kind = error_kind(json.at("error").text());
     if (!kind)
         json.at("error").refuse("thickness, law, reference or fitted");
-    const Wish wish{*kind, amount(json, "tolerance"), amount(json, "budget_ms")};
+    const Wish wish{*kind, amount_if_there(json, "tolerance"), amount_if_there(json, "budget_ms")};
     if (!wish.tolerance && !wish.budget_ms)
         json.complain("there is neither wish.tolerance nor wish.budget_ms, expected one of them");
     return wish;

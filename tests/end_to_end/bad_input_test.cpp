@@ -215,6 +215,80 @@ TEST_F(BadInput, WritesNoResultOverAStudyOrOverItsOwnSource) {
     EXPECT_EQ(pairlight({"analyze", table, "--json", table}).status, 1);
 }
 
+/// Runs the words; nothing of the file may have changed, and the complaint has to say why.
+void expect_kept(const fs::path& file, const std::vector<std::string>& words) {
+    const auto before = read_file(file);
+    const auto outcome = pairlight(words);
+    EXPECT_EQ(outcome.status, 1) << testing::PrintToString(words);
+    EXPECT_THAT(outcome.err, HasSubstr("would be written over and lost; name another file"));
+    EXPECT_TRUE(read_file(file) == before)
+        << file << " was changed by " << testing::PrintToString(words);
+}
+
+TEST_F(BadInput, WritesNoResultOverAnyOfItsSources) {
+    const auto at = [&](const char* name) { return (folder / name).string(); };
+    ASSERT_EQ(pairlight({"simplify", "torus", "--one-of", "8", "--out", at("tet.off")}).status, 0);
+    write_file(folder / "d.csv", "x,y,z\n1,0,0\n");
+    for (const auto* name : {"tet.off", "d.csv", "./d.csv"})
+        expect_kept(folder / name, {"thickness", at("tet.off"), "--directions", at("d.csv"),
+                                    "--exact", "--csv", at(name)});
+    expect_kept(folder / "tet.off", {"reference", "furnace", "--model", at("tet.off"), "--paths",
+                                     "128", "--json", at("tet.off")});
+    write_file(folder / "v.csv", "observer,session,trial,scene,left,right,chosen\n"
+                                 "P1,1,1,a,x,y,left\nP2,1,1,a,x,y,left\n");
+    write_file(folder / "g.csv", "observer,age\nP1,young\nP2,old\n");
+    for (const auto* name : {"v.csv", "g.csv"})
+        expect_kept(folder / name,
+                    {"analyze", at("v.csv"), "--groups", at("g.csv"), "--json", at(name)});
+    write_file(folder / "t.csv", "y,a\n1,p\n2,p\n3,q\n5,q\n");
+    expect_kept(folder / "t.csv",
+                {"anova", at("t.csv"), "--response", "y", "--factor", "a", "--json", at("t.csv")});
+    ASSERT_EQ(pairlight({"export", at("v.csv"), "--format", "matrices"}).status, 0);
+    expect_kept(folder / "v.csv",
+                {"export", at("v.csv"), "--format", "matrices", "--csv", at("v.csv")});
+}
+
+TEST_F(BadInput, WritesNoResultOverAPictureItWasMadeFrom) {
+    const auto at = [&](const char* name) { return (folder / name).string(); };
+    for (const auto* name : {"a.png", "m.png", "x-flip.png", "x-ssim.png", "x-relative.png"})
+        ASSERT_EQ(run({"convert", "-size", "16x16", "xc:yellow", "png24:" + at(name)}).status, 0);
+    for (const auto* name : {"a.png", "x-flip.png", "m.png"})
+        expect_kept(folder / name, {"compare", at("a.png"), at("x-flip.png"), "--mask", at("m.png"),
+                                    "--json", at(name)});
+    for (const auto* name : {"x-flip.png", "x-ssim.png", "x-relative.png"}) {
+        expect_kept(folder / name, {"compare", at("a.png"), at(name), "--maps", at("x")});
+        expect_kept(folder / name, {"compare", at(name), at("a.png"), "--maps", at("x")});
+        expect_kept(folder / name,
+                    {"compare", at("a.png"), at("a.png"), "--mask", at(name), "--maps", at("x")});
+    }
+    // nor one result over another
+    const auto twice = pairlight(
+        {"compare", at("a.png"), at("m.png"), "--maps", at("y"), "--json", at("y-flip.png")});
+    EXPECT_THAT(twice.err, HasSubstr("would be written over"));
+    EXPECT_FALSE(fs::exists(folder / "y-ssim.png"));
+    // a study's own pictures are sources, too
+    write_small_study(folder / "study");
+    const auto picture = folder / "study" / "stimuli" / "garden" / "first.png";
+    expect_kept(picture, {"import", at("study"), "--from", at("study/stimuli")});
+}
+
+TEST_F(BadInput, WritesNoResultOverWhatAStudyReads) {
+    write_small_study(folder.path());
+    ASSERT_EQ(pairlight({"session", path(), "--observer", "P1", "--simulate", ""}).status, 0);
+    fs::rename(folder / "instructions.md", folder / "words.md");
+    auto study = read_file(folder / "study.toml");
+    const std::string name = "instructions.md";
+    study.replace(study.find(name), name.size(), "words.md");
+    write_file(folder / "study.toml", study);
+    const auto words = (folder / "words.md").string();
+    for (const auto& command : std::vector<std::vector<std::string>>{
+             {"export", path(), "--format", "long", "--csv", words},
+             {"export", path(), "--format", "matrices", "--csv", words},
+             {"schedule", path(), "--observer", "P2", "--csv", words},
+             {"analyze", path(), "--json", words}})
+        expect_kept(words, command);
+}
+
 TEST_F(BadInput, RefusesToAnalyseOrAddToARecordThatIsNotWhole) {
     write_small_study(folder.path());
     ASSERT_EQ(pairlight({"session", path(), "--observer", "P1", "--simulate", ""}).status, 0);

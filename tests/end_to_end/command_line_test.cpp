@@ -49,6 +49,39 @@ TEST(CommandLine, NamesTheWordsThatMayStandThere) {
                 HasSubstr("--frames: -3 is not a number from 1 to"));
 }
 
+TEST(CommandLine, ReadsNumbersAsPeopleWriteThem) {
+    TemporaryFolder folder;
+    const auto votes = (folder / "v.csv").string(), table = (folder / "t.csv").string();
+    write_file(votes, "observer,session,trial,scene,left,right,chosen\nP1,1,1,a,x,y,left\n"
+                      "P2,1,1,a,x,y,right\n");
+    write_file(table, "y,a\n1,p\n2,p\n3,q\n5,q\n");
+    const auto findings = [&](const char* option, const char* number) {
+        const auto outcome = pairlight({"analyze", votes, option, number, "--json", "-"});
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return outcome.out;
+    };
+    EXPECT_EQ(findings("--replicates", "0150"), findings("--replicates", "150"));
+    EXPECT_EQ(findings("--seed", "010"), findings("--seed", "10"));
+    EXPECT_EQ(
+        pairlight({"anova", table, "--response", "y", "--factor", "a", "--type", "03"}).status, 0);
+    EXPECT_THAT(complaint({"anova", table, "--response", "y", "--factor", "a", "--type", "0x2"}),
+                HasSubstr("--type: 0x2 is not a whole number from 1 to 3"));
+    for (const auto* seed : {"-1", "18446744073709551616"})
+        for (const auto& words :
+             std::vector<std::vector<std::string>>{{"analyze", votes, "--seed", seed},
+                                                   {"reference", "slab", "--seed", seed},
+                                                   {"reference", "torus", "--seed", seed}})
+            EXPECT_THAT(complaint(words),
+                        HasSubstr(std::string("--seed: ") + seed +
+                                  " is not a whole number from 0 to 18446744073709551615"));
+    for (const auto* many : {"-1", "18446744073709551616"}) {
+        EXPECT_THAT(complaint({"reference", "slab", "--paths", many}),
+                    HasSubstr(std::string("--paths: ") + many + " is not a number from 128 to"));
+        EXPECT_THAT(complaint({"simplify", "torus", "--triangles", many}),
+                    HasSubstr(std::string("--triangles: ") + many + " is not a number from 4 to"));
+    }
+}
+
 TEST(CommandLine, TakesTheWordsThatMayStandThere) {
     EXPECT_EQ(pairlight({"reference", "slab", "--incidence", "diffuse", "--paths", "128"}).status,
               0);
@@ -73,6 +106,26 @@ TEST(CommandLine, BlamesTheOptionThatHasTooFewValues) {
               pairlight({"cost", "torus", "--methods", "no"}).err);
     EXPECT_THAT(complaint({"thickness", "torus", "--exact", "--directions=--exact"}),
                 HasSubstr("--exact: cannot be read"));
+}
+
+TEST(CommandLine, NamesItsVersion) {
+    const auto outcome = pairlight({"--version"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.out, PAIRLIGHT_PROGRAM_VERSION "\n");
+}
+
+TEST(CommandLine, EndsWithOneStatusForAllWrongWords) {
+    for (const auto& words :
+         std::vector<std::vector<std::string>>{{},
+                                               {"--bogus"},
+                                               {"tea"},
+                                               {"anova"},
+                                               {"anova", "t.csv", "--resp"},
+                                               {"anova", "t.csv", "--type", "4"},
+                                               {"anova", "t.csv", "--type="},
+                                               {"methods", "--markdown=maybe"},
+                                               {"import", "s", "--from", "none"}})
+        EXPECT_EQ(pairlight(words).status, 1) << testing::PrintToString(words);
 }
 
 class OutputPlaces : public testing::Test {
@@ -126,6 +179,34 @@ TEST_F(OutputPlaces, ADashIsNoFolder) {
         EXPECT_THAT(outcome.err, HasSubstr("- is standard output")) << words.front();
     }
     EXPECT_TRUE(fs::is_empty(folder_.path()));
+}
+
+TEST_F(OutputPlaces, AnEmptyTextIsNotTakenForNone) {
+    for (const auto& [words, name] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{"init", ""}, "DIR"},
+             {{"demo", ""}, "DIR"},
+             {{"check", ""}, "STUDY"},
+             {{"analyze", "v.csv", "--groups", ""}, "--groups"},
+             {{"analyze", "v.csv", "--json", ""}, "--json"},
+             {{"anova", "t.csv", "--within", ""}, "--within"},
+             {{"anova", "t.csv", "--control", ""}, "--control"},
+             {{"cost", "torus", "--out", ""}, "--out"},
+             {{"cost", "torus", "--from", ""}, "--from"},
+             {{"compare", "a.png", "b.png", "--mask", ""}, "--mask"},
+             {{"compare", "a.png", "b.png", "--maps", ""}, "--maps"},
+             {{"export", "study", "--format", "long", "--csv", ""}, "--csv"},
+             {{"simplify", "torus", "--one-of", "8", "--out", ""}, "--out"},
+             {{"import", "study", "--from", ""}, "--from"}}) {
+        const auto outcome = pairlight_there(words);
+        EXPECT_EQ(outcome.status, 1) << testing::PrintToString(words);
+        EXPECT_THAT(outcome.err, HasSubstr("pairlight: " + name + ": \"\" says nothing, expected"))
+            << testing::PrintToString(words);
+        EXPECT_TRUE(fs::is_empty(folder_.path())) << testing::PrintToString(words);
+    }
+    EXPECT_THAT(pairlight_there({"cost", "torus", "--from", "."}).err,
+                HasSubstr("--from .: is a folder; name its cost.json"));
+    EXPECT_THAT(pairlight_there({"import", "study", "--from", "none"}).err,
+                HasSubstr("--from: none is not a folder that is there"));
 }
 
 TEST_F(OutputPlaces, NothingIsMadeForWhatIsRefused) {

@@ -83,6 +83,9 @@ TEST(JsonText, NamesTheWayToWhatIsNotWhatIsWanted) {
     EXPECT_EQ(misfit("{\"a\": 99999999999}",
                      [](const JsonPlace& j) { EXPECT_EQ(j.at("a").size(), 99999999999U); }),
               "");
+    // with a sign or without, 0 is 0
+    EXPECT_EQ(misfit("{\"a\": -0}", [](const JsonPlace& j) { EXPECT_EQ(j.at("a").count(), 0); }),
+              "");
     EXPECT_EQ(misfit("{\"a\": -1}", [](const JsonPlace& j) { j.at("a").size(); }),
               "f.json:1: a is -1, expected a whole number from 0; mend it");
     EXPECT_EQ(misfit("{\"a\": null}", [](const JsonPlace& j) { j.at("a").number(); }),

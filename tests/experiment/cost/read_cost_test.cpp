@@ -53,6 +53,8 @@ TEST(ReadCost, SaysWhatIsWrongWithAFile) {
                 AllOf(StartsWith("c.json:1: there is no form; "), HasSubstr("`pairlight cost`")));
     EXPECT_THAT(parse_cost("{\"form\": 1}", "c.json").error(),
                 StartsWith("c.json:1: form is 1, expected 2; "));
+    EXPECT_THAT(parse_cost("{\"form\": -0}", "c.json").error(),
+                StartsWith("c.json:1: form is 0, expected 2; "));
     EXPECT_THAT(parse_cost("{\"form\": \"2\"}", "c.json").error(),
                 StartsWith("c.json:1: form is \"2\", expected a whole number"));
     EXPECT_THAT(complaint("\"row\": 2", "\"row\": 9"),
@@ -75,6 +77,18 @@ TEST(ReadCost, RefusesNumbersThatNothingMeasures) {
     EXPECT_THAT(complaint("\"law\": 0.2", "\"law\": -0.5"), HasSubstr("law is -0.5"));
     EXPECT_THAT(complaint("\"law\": 0.2", "\"law\": 1e308"), HasSubstr("law is 1e+308"));
     EXPECT_THAT(complaint("\"lower\": 5", "\"lower\": 9995"), HasSubstr("lower <= median"));
+    // every number that a table or a figure shows has the same bounds
+    const auto written = cost_json(with_choice());
+    for (const std::string key : {"lower", "median", "upper", "clock_ms", "predicted", "measured"})
+        for (const auto* number : {"-1", "1e30", "1e308"}) {
+            const auto place = written.find("\"" + key + "\": ");
+            ASSERT_NE(place, std::string::npos) << key;
+            const auto there = written.substr(place, written.find_first_of(",\n", place) - place);
+            EXPECT_THAT(
+                complaint(there, "\"" + key + "\": " + number),
+                AllOf(HasSubstr(key + " is "), HasSubstr("expected a number from 0 to 1e30")))
+                << key << ' ' << number;
+        }
 }
 
 TEST(ReadCost, RefusesWordsThatMeanNothing) {
