@@ -27,7 +27,7 @@ target_compile_definitions(project_options INTERFACE
     PAIRLIGHT_PROGRAM_VERSION="pairlight ${PROJECT_VERSION}")
 
 # precompile_common_headers(TARGET [<header>...]): what nearly every file includes, compiled once for all
-# of them, which takes a third off a clean build.  The dev preset does without, so that a file that
+# of them: half the time of a file that is short.  The dev preset does without, so that a file that
 # includes too little is found.
 function(precompile_common_headers target)
     target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory>

@@ -25,7 +25,8 @@ model's own size. "64 bits" and "50 digits" are precisions that the program itse
 
 This page is written by a program: `cmake --build --preset release --target hard_cases_report`, then run
 `build/release/tests/hard_cases/hard_cases_report docs/precision-hard-cases.md`. A test measures all of it again, and fails
-where fewer digits come out than the last column holds, or than the page claims.
+where fewer digits come out than the last column holds, or than the page claims: but for a last bit, which processors of
+other makers may round otherwise.
 
 | area | case | against | values | expected | got | digits | held |
 |---|---|---|---|---|---|---|---|

@@ -1,4 +1,4 @@
-// Transport against exact results; the rest of them, to 1e-4: tests/bench/transport_precision.cpp.
+// Transport against exact results; the rest of them: tests/bench/transport_precision.cpp.
 #include "renderer/reference/energy.h"
 #include "tests/renderer/reference/anchors.h"
 
